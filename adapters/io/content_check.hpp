@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+namespace multimesh::io {
+
+/// Refuses content that is not a mesh in text form whatever its name says: an empty file, a web page, a Git
+/// LFS pointer, UTF-16 or UTF-32 text, a compressed or another binary file, a mesh of another format.
+/// Looks at the first 4096 bytes.
+/// \throw InputError naming the file, what it is and what to do.
+void check_obj_content(std::string_view bytes, std::string_view file);
+
+/// The same for PLY: what does not begin with the line `ply` is refused, as precisely as we can name it.
+void check_ply_content(std::string_view bytes, std::string_view file);
+
+}  // namespace multimesh::io

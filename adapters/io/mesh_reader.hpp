@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+#include "adapters/io/polygon_soup.hpp"
+#include "adapters/io/read_options.hpp"
+
+namespace multimesh::io {
+
+/// Reads a surface in the format that the extension names, in any case: .obj or .ply.
+/// \throw InputError as read_obj and read_ply do, and for any other extension.
+PolygonSoup read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
+
+}  // namespace multimesh::io

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "adapters/io/polygon_soup.hpp"
+
+namespace multimesh::io {
+
+/// Appends a warning for each kind of thing that the notes say was left out or replaced while reading `file`.
+/// What check_faces counts is not repeated here.
+void add_note_warnings(PolygonSoup& soup, const std::string& file);
+
+}  // namespace multimesh::io

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/openmesh/connectivity.hpp"
+
+#include <string>
+
+#include "multimesh/error.hpp"
+
+namespace multimesh::openmesh {
+
+namespace {
+
+constexpr const char* attached_name = "mm:attached";
+
+std::uint32_t word(int i) { return static_cast<std::uint32_t>(i); }
+int signed_word(std::uint32_t i) { return static_cast<int>(i); }
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+Connectivity::Connectivity(int dimension, OpenMesh::PolyConnectivity& om) : Mesh(dimension), om_(om) {
+  refuse_double_attachment();
+  om_.request_vertex_status();
+  om_.request_edge_status();
+  om_.request_face_status();
+  om_.add_property(attached_, attached_name);
+  vertex_status_ = &om_.property(om_.vertex_status_pph()).data_vector();
+  edge_status_ = &om_.property(om_.edge_status_pph()).data_vector();
+  face_status_ = &om_.property(om_.face_status_pph()).data_vector();
+}
+
+Connectivity::~Connectivity() {
+  remove_anchors();
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    if (links_[i].used) remove_links(static_cast<LinkSet>(i));
+  om_.remove_property(attached_);
+  om_.release_vertex_status();
+  om_.release_edge_status();
+  om_.release_face_status();
+}
+
+void Connectivity::refuse_double_attachment() const {
+  OpenMesh::VPropHandleT<char> other;
+  if (om_.get_property_handle(other, attached_name))
+    throw UsageError("this OpenMesh mesh is already part of a multimesh; detach it first");
+}
+
+void Connectivity::set_to(int h, int v) {
+  log(Word::to, word(h), word(to(h)));
+  om_.set_vertex_handle(handle(h), OpenMesh::VertexHandle(v));
+}
+
+void Connectivity::set_next(int h, int n) {
+  log(Word::next, word(h), word(next(h)));
+  log(Word::prev, word(n), word(prev(n)));
+  om_.set_next_halfedge_handle(handle(h), handle(n));
+}
+
+void Connectivity::set_face(int h, int f) {
+  log(Word::face, word(h), word(face(h)));
+  om_.set_face_handle(handle(h), OpenMesh::FaceHandle(f));
+}
+
+void Connectivity::set_out(int v, int h) {
+  log(Word::out, word(v), word(out(v)));
+  om_.set_halfedge_handle(OpenMesh::VertexHandle(v), handle(h));
+}
+
+void Connectivity::set_halfedge_of(int f, int h) {
+  log(Word::halfedge_of, word(f), word(halfedge_of(f)));
+  om_.set_halfedge_handle(OpenMesh::FaceHandle(f), handle(h));
+}
+
+void Connectivity::kill_vertex(int v) {
+  log(Word::vertex_status, word(v), (*vertex_status_)[at(v)].bits());
+  (*vertex_status_)[at(v)].set_deleted(true);
+}
+
+void Connectivity::kill_edge(int e) {
+  log(Word::edge_status, word(e), (*edge_status_)[at(e)].bits());
+  (*edge_status_)[at(e)].set_deleted(true);
+  if (!om_.has_halfedge_status()) return;
+  // Restored with the edge: the halfedges of a live edge are live.
+  om_.status(handle(2 * e)).set_deleted(true);
+  om_.status(handle(2 * e + 1)).set_deleted(true);
+}
+
+void Connectivity::kill_face(int f) {
+  log(Word::face_status, word(f), (*face_status_)[at(f)].bits());
+  (*face_status_)[at(f)].set_deleted(true);
+}
+
+void Connectivity::log_counts() {
+  log(Word::faces, 0, static_cast<std::uint32_t>(om_.n_faces()));
+  log(Word::edges, 0, static_cast<std::uint32_t>(om_.n_edges()));
+  log(Word::vertices, 0, static_cast<std::uint32_t>(om_.n_vertices()));
+}
+
+int Connectivity::new_vertex() {
+  log_counts();
+  return om_.ArrayKernel::new_vertex().idx();
+}
+
+int Connectivity::new_edge(int from, int to) {
+  log_counts();
+  return om_.ArrayKernel::new_edge(OpenMesh::VertexHandle(from), OpenMesh::VertexHandle(to)).idx();
+}
+
+int Connectivity::new_face() {
+  log_counts();
+  return om_.ArrayKernel::new_face().idx();
+}
+
+void Connectivity::copy_edge_properties(int from, int to) {
+  for (auto p = om_.eprops_begin(); p != om_.eprops_end(); ++p)
+    if (*p) (*p)->copy(at(from), at(to));
+}
+
+void Connectivity::copy_face_properties(int from, int to) {
+  for (auto p = om_.fprops_begin(); p != om_.fprops_end(); ++p)
+    if (*p) (*p)->copy(at(from), at(to));
+}
+
+void Connectivity::rollback(Mark mark) {
+  while (log_.size() > mark) {
+    undo(log_.back());
+    log_.pop_back();
+  }
+}
+
+// Last write first. Undoing `next` also writes prev of the old successor, as OpenMesh does; where that was
+// not its value, an older entry of the journal restores it later on.
+void Connectivity::undo(const Entry& e) {
+  const int i = signed_word(e.index), old = signed_word(e.old);
+  const auto pop = [&](std::size_t vertices, std::size_t edges, std::size_t faces) {
+    if (vertices != om_.n_vertices() || edges != om_.n_edges() || faces != om_.n_faces())
+      om_.resize(vertices, edges, faces);
+  };
+  switch (e.word) {
+    case Word::to: om_.set_vertex_handle(handle(i), OpenMesh::VertexHandle(old)); break;
+    case Word::next:
+      if (old >= 0) om_.set_next_halfedge_handle(handle(i), handle(old));  // else i is about to be popped
+      break;
+    case Word::prev:
+      if (old >= 0) om_.set_prev_halfedge_handle(handle(i), handle(old));
+      break;
+    case Word::face: om_.set_face_handle(handle(i), OpenMesh::FaceHandle(old)); break;
+    case Word::out: om_.set_halfedge_handle(OpenMesh::VertexHandle(i), handle(old)); break;
+    case Word::halfedge_of: om_.set_halfedge_handle(OpenMesh::FaceHandle(i), handle(old)); break;
+    case Word::vertex_status: (*vertex_status_)[e.index].set_bits(e.old); break;
+    case Word::edge_status:
+      (*edge_status_)[e.index].set_bits(e.old);
+      if (om_.has_halfedge_status())
+        for (const int h : {2 * i, 2 * i + 1}) om_.status(handle(h)).set_deleted(false);
+      break;
+    case Word::face_status: (*face_status_)[e.index].set_bits(e.old); break;
+    case Word::anchor_own: (*anchors_)[e.index].own = Dart{e.old}; break;
+    case Word::anchor_parent: (*anchors_)[e.index].parent = Dart{e.old}; break;
+    case Word::link: (*links_[e.column].facet_plus_one)[e.index] = e.old; break;
+    case Word::vertices: pop(e.old, om_.n_edges(), om_.n_faces()); break;
+    case Word::edges: pop(om_.n_vertices(), e.old, om_.n_faces()); break;
+    case Word::faces: pop(om_.n_vertices(), om_.n_edges(), e.old); break;
+  }
+}
+
+void Connectivity::add_anchors() {
+  if (dimension() == 1) {
+    om_.add_property(edge_anchors_, "mm:anchor");
+    anchors_ = &om_.property(edge_anchors_).data_vector();
+  } else {
+    om_.add_property(face_anchors_, "mm:anchor");
+    anchors_ = &om_.property(face_anchors_).data_vector();
+  }
+}
+
+void Connectivity::remove_anchors() {
+  if (!anchors_) return;
+  if (dimension() == 1) {
+    om_.remove_property(edge_anchors_);
+  } else {
+    om_.remove_property(face_anchors_);
+  }
+  anchors_ = nullptr;
+}
+
+void Connectivity::set_anchor(Index f, Anchor a) {
+  Anchor& old = (*anchors_)[f];
+  log(Word::anchor_own, f, code(old.own));
+  log(Word::anchor_parent, f, code(old.parent));
+  old = a;
+}
+
+Connectivity::LinkSet Connectivity::add_links(int k) {
+  std::size_t i = 0;
+  while (i < links_.size() && links_[i].used) ++i;
+  if (i == links_.size()) links_.emplace_back();
+  if (i > 254) throw UsageError("a mesh can have at most 255 children");
+  Links& l = links_[i];
+  l.k = k;
+  l.used = true;
+  const std::string name = "mm:link" + std::to_string(i);
+  const auto add = [&](auto& property) {
+    om_.add_property(property, name);
+    l.facet_plus_one = &om_.property(property).data_vector();
+  };
+  k == 0 ? add(l.vertices) : k == 1 ? add(l.edges) : add(l.faces);
+  return static_cast<LinkSet>(i);
+}
+
+void Connectivity::remove_links(LinkSet links) {
+  Links& l = links_[links];
+  const auto remove = [&](auto& property) { om_.remove_property(property); };
+  l.k == 0 ? remove(l.vertices) : l.k == 1 ? remove(l.edges) : remove(l.faces);
+  l = Links();
+}
+
+void Connectivity::set_link(LinkSet links, Dart d, Index f) {
+  Links& l = links_[links];
+  const Index s = simplex(d, l.k);
+  log(Word::link, s, (*l.facet_plus_one)[s], links);
+  (*l.facet_plus_one)[s] = f + 1;
+}
+
+void Connectivity::remap_links(LinkSet links, const std::vector<Index>& child_facets) {
+  for (Index& f : *links_[links].facet_plus_one)
+    if (f != 0) f = child_facets[f - 1] + 1;  // no_index + 1 == 0
+}
+
+namespace {
+
+/// Numbers the elements in a temporary property, which OpenMesh's garbage collection moves along with them.
+template <class PropertyHandle>
+class Numbering {
+ public:
+  Numbering(OpenMesh::PolyConnectivity& om, std::size_t n) : om_(om), old_size_(n) {
+    om_.add_property(property_, "mm:number");
+    auto& number = om_.property(property_).data_vector();
+    for (std::size_t i = 0; i < n; ++i) number[i] = static_cast<Index>(i);
+  }
+  std::vector<Index> finish() {
+    std::vector<Index> moved(old_size_, no_index);
+    const auto& number = om_.property(property_).data_vector();
+    for (std::size_t i = 0; i < number.size(); ++i) moved[number[i]] = static_cast<Index>(i);
+    om_.remove_property(property_);
+    return moved;
+  }
+
+ private:
+  OpenMesh::PolyConnectivity& om_;
+  std::size_t old_size_;
+  PropertyHandle property_;
+};
+
+}  // namespace
+
+Compaction Connectivity::compact() {
+  if (!log_.empty()) throw UsageError("compact with an open journal");
+  Numbering<OpenMesh::VPropHandleT<Index>> vertices(om_, om_.n_vertices());
+  Numbering<OpenMesh::EPropHandleT<Index>> edges(om_, om_.n_edges());
+  Numbering<OpenMesh::FPropHandleT<Index>> faces(om_, om_.n_faces());
+  om_.garbage_collection();
+  Compaction moved;
+  moved.simplices = {vertices.finish(), edges.finish()};
+  if (dimension() == 2) {
+    moved.simplices.push_back(faces.finish());
+  } else {
+    (void)faces.finish();
+  }
+  // Garbage collection keeps the parity of halfedges; a dart is a halfedge and, in 2D, a flip bit.
+  const std::vector<Index>& edge = moved.simplices[1];
+  const unsigned per_edge = dimension() == 2 ? 4 : 2;
+  moved.darts.resize(edge.size() * per_edge, no_dart);
+  for (std::size_t e = 0; e < edge.size(); ++e)
+    if (edge[e] != no_index)
+      for (unsigned i = 0; i < per_edge; ++i) moved.darts[e * per_edge + i] = Dart{edge[e] * per_edge + i};
+  return moved;
+}
+
+}  // namespace multimesh::openmesh

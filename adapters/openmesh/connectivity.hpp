@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+#include <memory>
+#include <vector>
+
+#include "multimesh/mesh.hpp"
+
+namespace multimesh::openmesh {
+
+/// What the triangle and edge adapters share: an OpenMesh connectivity (the base of every OpenMesh mesh, so
+/// one compiled class serves all traits), our properties on it, and a journal of every word written.
+///
+/// The mesh stays the user's. We request vertex, edge and face status, and add properties whose names begin
+/// with "mm:"; all that is taken back when the adapter dies. While attached, the mesh must not be moved,
+/// assigned, cleared or edited except through the tree.
+class Connectivity : public Mesh {
+ public:
+  ~Connectivity() override;
+
+  OpenMesh::PolyConnectivity& openmesh() noexcept { return om_; }
+  const OpenMesh::PolyConnectivity& openmesh() const noexcept { return om_; }
+
+  bool is_locked(Index v) const override { return (*vertex_status_)[v].locked(); }
+
+  Mark mark() const override { return log_.size(); }
+  void rollback(Mark mark) override;
+  void forget() override { log_.clear(); }
+
+  void add_anchors() override;
+  void remove_anchors() override;
+  Anchor anchor(Index f) const override { return (*anchors_)[f]; }
+  void set_anchor(Index f, Anchor a) override;
+  LinkSet add_links(int k) override;
+  void remove_links(LinkSet links) override;
+  Index link(LinkSet links, Dart d) const override {
+    const Links& l = links_[links];
+    return (*l.facet_plus_one)[simplex(d, l.k)] - 1;
+  }
+  void set_link(LinkSet links, Dart d, Index f) override;
+  void remap_links(LinkSet links, const std::vector<Index>& child_facets) override;
+  Compaction compact() override;
+
+ protected:
+  Connectivity(int dimension, OpenMesh::PolyConnectivity& om);
+  /// Keeps a mesh that was made for this adapter.
+  void own(std::unique_ptr<OpenMesh::PolyConnectivity> om) noexcept { owned_ = std::move(om); }
+
+  // OpenMesh's connectivity by plain indices; -1 is OpenMesh's own "none".
+  int to(int h) const { return om_.to_vertex_handle(handle(h)).idx(); }
+  int from(int h) const { return to(h ^ 1); }
+  int next(int h) const { return om_.next_halfedge_handle(handle(h)).idx(); }
+  int prev(int h) const { return om_.prev_halfedge_handle(handle(h)).idx(); }
+  int face(int h) const { return om_.face_handle(handle(h)).idx(); }
+  int out(int v) const { return om_.halfedge_handle(OpenMesh::VertexHandle(v)).idx(); }
+  int halfedge_of(int f) const { return om_.halfedge_handle(OpenMesh::FaceHandle(f)).idx(); }
+  static OpenMesh::HalfedgeHandle handle(int h) { return OpenMesh::HalfedgeHandle(h); }
+
+  // The same for writing; each write is journaled.
+  void set_to(int h, int v);
+  void set_next(int h, int n);  // and prev of n
+  void set_face(int h, int f);
+  void set_out(int v, int h);
+  void set_halfedge_of(int f, int h);
+  void kill_vertex(int v);
+  void kill_edge(int e);
+  void kill_face(int f);
+
+  int new_vertex();
+  int new_edge(int from, int to);  // its even halfedge
+  int new_face();
+  void copy_edge_properties(int from, int to);
+  void copy_face_properties(int from, int to);
+
+  using Status = std::vector<OpenMesh::Attributes::StatusInfo>;
+  const Status& status(int k) const { return *(k == 0 ? vertex_status_ : k == 1 ? edge_status_ : face_status_); }
+
+  OpenMesh::PolyConnectivity& om_;
+
+ private:
+  enum class Word : std::uint8_t {
+    to, next, prev, face, out, halfedge_of, vertex_status, edge_status, face_status,
+    anchor_own, anchor_parent, link,
+    vertices, edges, faces,  // counts
+  };
+  struct Entry {
+    Word word;
+    LinkSet column;
+    std::uint32_t index;
+    std::uint32_t old;
+  };
+  struct Links {
+    int k = 0;
+    OpenMesh::VPropHandleT<Index> vertices;
+    OpenMesh::EPropHandleT<Index> edges;
+    OpenMesh::FPropHandleT<Index> faces;
+    std::vector<Index>* facet_plus_one = nullptr;  // 0: no facet (new slots are zero-filled)
+    bool used = false;
+  };
+
+  void log(Word word, std::uint32_t index, std::uint32_t old, LinkSet column = 0) {
+    log_.push_back({word, column, index, old});
+  }
+  void log_counts();
+  void undo(const Entry& e);
+  void refuse_double_attachment() const;
+
+  std::unique_ptr<OpenMesh::PolyConnectivity> owned_;
+  std::vector<Entry> log_;
+  Status* vertex_status_ = nullptr;
+  Status* edge_status_ = nullptr;
+  Status* face_status_ = nullptr;
+  OpenMesh::EPropHandleT<Anchor> edge_anchors_;
+  OpenMesh::FPropHandleT<Anchor> face_anchors_;
+  OpenMesh::VPropHandleT<char> attached_;
+  std::vector<Anchor>* anchors_ = nullptr;
+  std::vector<Links> links_;
+};
+
+}  // namespace multimesh::openmesh

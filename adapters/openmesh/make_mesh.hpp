@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "multimesh/cut.hpp"
+#include "multimesh/mesh.hpp"
+
+namespace multimesh::openmesh {
+
+/// An edge or triangle mesh over an OpenMesh connectivity of its own; facet i has index i, vertex j index j.
+/// \pre manifold and a proper simplicial complex, as multimesh::cut makes it. \throw InputError naming a
+/// facet that does not fit
+std::unique_ptr<Mesh> make_mesh(const FacetList& facets);
+
+}  // namespace multimesh::openmesh

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What every target of ours has in common: language level, warnings, include root, alias.
+
+function(multimesh_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion)
+endfunction()
+
+# multimesh_add_library(NAME source...) makes the library multimesh_NAME, alias multimesh::NAME.
+function(multimesh_add_library name)
+  add_library(multimesh_${name} ${ARGN})
+  add_library(multimesh::${name} ALIAS multimesh_${name})
+  multimesh_compile_options(multimesh_${name})
+  set_target_properties(multimesh_${name} PROPERTIES
+    EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_include_directories(multimesh_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/multimesh-${PROJECT_VERSION_MAJOR}>)
+  set_property(GLOBAL APPEND PROPERTY MULTIMESH_LIBRARIES multimesh_${name})
+endfunction()

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "multimesh/event.hpp"
+
+namespace multimesh {
+
+/// Values on the vertices of one mesh that follow the operations. Writes are undone with the transaction.
+class Attribute {
+ public:
+  using Mark = std::size_t;
+  explicit Attribute(NodeId node) : node_(node) {}
+  virtual ~Attribute() = default;
+  Attribute(const Attribute&) = delete;
+  Attribute& operator=(const Attribute&) = delete;
+
+  NodeId node() const noexcept { return node_; }
+  /// Called once per copy and operation, after the connectivity of all meshes has changed, root first.
+  virtual void update(Operation operation, const VertexChange& change) = 0;
+  virtual Mark mark() const = 0;
+  virtual void rollback(Mark mark) = 0;
+  virtual void forget() = 0;
+
+ private:
+  NodeId node_;
+};
+
+/// A vertex attribute over a std::vector that grows with its mesh (an OpenMesh property's data_vector()).
+/// The default rule interpolates: (1-t) a + t b at the new or merged vertex. Another rule may be given,
+/// per attribute, for instance one that pulls the value from the parent's mesh:
+///   [&](Operation, const VertexChange& c) { return parent_values[c.above]; }
+template <class T>
+class VertexAttribute final : public Attribute {
+ public:
+  using Rule = std::function<T(Operation, const VertexChange&)>;
+
+  VertexAttribute(NodeId node, std::vector<T>& values) : Attribute(node), values_(&values) {}
+  VertexAttribute(NodeId node, std::vector<T>& values, Rule rule)
+      : Attribute(node), values_(&values), rule_(std::move(rule)) {}
+
+  const std::vector<T>& values() const noexcept { return *values_; }
+  const T& operator[](Index v) const { return (*values_)[v]; }
+
+  /// A journaled write; use it instead of writing to the vector inside transactions.
+  void set(Index v, T value) {
+    undo_.emplace_back(v, (*values_)[v]);
+    (*values_)[v] = std::move(value);
+  }
+
+  void update(Operation operation, const VertexChange& c) override {
+    if (rule_) return set(c.vertex, rule_(operation, c));
+    if (operation == Operation::relocate || operation == Operation::flip) return;
+    const Index same = c.t <= 0 ? c.a : c.t >= 1 ? c.b : no_index;
+    if (same == c.vertex) return;
+    // Copies: a reference into the vector would not survive its growth.
+    const T& a = (*values_)[c.a];
+    const T& b = (*values_)[c.b];
+    if (same != no_index) {
+      T kept = same == c.a ? a : b;
+      set(c.vertex, std::move(kept));
+    } else {
+      T mixed = a;
+      mixed = a * (1.0 - c.t) + b * c.t;
+      set(c.vertex, std::move(mixed));
+    }
+  }
+
+  Mark mark() const override { return undo_.size(); }
+  void rollback(Mark mark) override {
+    while (undo_.size() > mark) {
+      auto& [v, old] = undo_.back();
+      if (v < values_->size()) (*values_)[v] = std::move(old);  // else it was popped with its vertex
+      undo_.pop_back();
+    }
+  }
+  void forget() override { undo_.clear(); }
+
+ private:
+  std::vector<T>* values_;
+  Rule rule_;
+  std::vector<std::pair<Index, T>> undo_;
+};
+
+}  // namespace multimesh

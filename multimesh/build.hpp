@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "multimesh/cut.hpp"
+#include "multimesh/multi_mesh.hpp"
+
+namespace multimesh {
+
+/// Makes a mesh of a manifold facet list: facet i gets index i, vertex j index j. An adapter gives one
+/// (multimesh::openmesh::make_mesh), so that the core needs to know none.
+using MeshFactory = std::function<std::unique_ptr<Mesh>(const FacetList&)>;
+
+/// A child of the parent's dimension or lower, facet by facet: child facet i lies over the simplex of the
+/// parent with the vertices parent.facet(i), in corresponding order (OBJ v/vt pairs; a periodic tile over
+/// its torus). `parent_facets`: per child facet, a parent facet that contains that simplex.
+/// \throw InputError if a facet's vertices do not correspond, naming it; the tree is unchanged then
+NodeId add_child_by_facets(MultiMesh& tree, NodeId parent, const FacetList& child,
+                           const FacetList& over, std::span<const Index> parent_facets,
+                           const MeshFactory& make);
+
+/// The tagged k-simplices of a mesh as a child, 1 <= k <= its dimension, cut to be manifold.
+/// `tagged` is asked once per live k-simplex index. \throw InputError if none is tagged
+NodeId add_child_from_tags(MultiMesh& tree, NodeId parent, int k, const std::function<bool(Index)>& tagged,
+                           const MeshFactory& make, const CutOptions& options = {});
+
+/// The boundary of a mesh of dimension 2 or more as a child. \throw InputError if it is closed
+NodeId add_child_from_boundary(MultiMesh& tree, NodeId parent, const MeshFactory& make,
+                               const CutOptions& options = {});
+
+}  // namespace multimesh

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "multimesh/multi_mesh.hpp"
+
+namespace multimesh {
+
+/// One of the places where a simplex of the root occurs in the tree.
+struct Copy {
+  NodeId node = NodeId::root;
+  Dart dart = no_dart;        ///< its first k+1 vertices map to those of the root's dart, in order
+  std::uint32_t above = 0;    ///< position in the list of the copy of the parent that it maps to
+};
+
+/// All copies of a simplex of the root, parents before children, those of one node side by side.
+class Copies {
+ public:
+  /// Collects the copies of the k-simplex of the root dart d. Re-uses its memory.
+  void collect(const MultiMesh& tree, Dart d, int k);
+
+  std::span<const Copy> all() const noexcept { return list_; }
+  std::span<Copy> all() noexcept { return list_; }
+  std::span<const Copy> of(NodeId n) const noexcept { return {list_.data() + first(n), count(n)}; }
+  std::uint32_t first(NodeId n) const noexcept { return ranges_[index(n)].first; }
+  std::uint32_t count(NodeId n) const noexcept { return ranges_[index(n)].count; }
+  std::size_t size() const noexcept { return list_.size(); }
+  const Copy& operator[](std::size_t i) const noexcept { return list_[i]; }
+
+ private:
+  struct Range {
+    std::uint32_t first = 0, count = 0;
+  };
+  std::vector<Copy> list_;
+  std::vector<Range> ranges_;
+  DartBuffer found_;
+};
+
+}  // namespace multimesh

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "multimesh/dart.hpp"
+
+namespace multimesh {
+
+/// Facets by their vertices, dimension + 1 each, side by side: #F x (dimension + 1).
+struct FacetList {
+  int dimension = 2;
+  Index vertices = 0;          ///< indices are below this
+  std::vector<Index> corners;
+
+  std::size_t size() const noexcept { return corners.size() / corners_per_facet(); }
+  std::size_t corners_per_facet() const noexcept { return static_cast<std::size_t>(dimension) + 1; }
+  std::span<const Index> facet(std::size_t f) const {
+    return {corners.data() + f * corners_per_facet(), corners_per_facet()};
+  }
+};
+
+/// Facets made manifold: the same ones in the same order, with vertices split where it was necessary.
+struct Cut {
+  FacetList facets;
+  std::vector<Index> source;    ///< per new vertex: the one that it is a copy of
+  std::vector<bool> reversed;   ///< per facet: whether its first two corners were exchanged
+};
+
+struct CutOptions {
+  /// Vertices at which all curves end, whatever their degree (dimension 1): where a type changes.
+  std::function<bool(Index vertex)> ends_at;
+};
+
+/// Cuts edges or triangles into a manifold mesh that is a proper simplicial complex. Triangles stay joined
+/// across edges with just two of them and are re-oriented to agree; edges with three or more, pinched
+/// vertices and places where no orientation agrees come apart. Edges stay joined at vertices with just two
+/// of them. Facets with the same vertices come apart. Cost: sorting. \throw InputError for a facet that
+/// repeats a vertex, naming it
+Cut cut(const FacetList& facets, const CutOptions& options = {});
+
+}  // namespace multimesh

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace multimesh {
+
+/// Bad input (a file, an index list, a mesh that cannot be represented). The message names the file,
+/// line or element and says what to do; nothing was changed or written when it is thrown.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A bug of the caller: a dead dart, a dart of another mesh, a node that is not in the tree.
+/// Checked in release builds too, where the check is cheap.
+class UsageError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+}  // namespace multimesh

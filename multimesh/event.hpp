@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "multimesh/copy.hpp"
+
+namespace multimesh {
+
+enum class Operation : std::uint8_t { split, collapse, flip, relocate };
+
+/// An operation as attributes and invariants see it: which edge (or vertex) it is, in every mesh.
+///
+/// Before: the darts are (a, b, ...) of each copy of the edge. After a split they are (a, c, ...), after a
+/// collapse and a relocation darts at the vertex, after a flip (l, r, ...).
+struct Event {
+  const MultiMesh& tree;
+  Operation operation;
+  const Copies& copies;
+  /// Where on the edge the new or merged vertex lies: the point (1-t) a + t b. In every mesh the same
+  /// point, so that positions and texture coordinates of a vertex never come apart. 0 <= t <= 1.
+  double t = 0.5;
+};
+
+/// What happened to the vertices of one copy. Values stored at a dead vertex can still be read.
+struct VertexChange {
+  Index a, b;    ///< the ends of the edge in this mesh, before
+  Index vertex;  ///< the new vertex (split), the surviving one (collapse: a or b), the moved one (a == b)
+  double t;      ///< it is the point (1-t) a + t b
+  NodeId node;
+  Index above;   ///< the image of `vertex` in the parent's mesh; no_index in the root
+};
+
+}  // namespace multimesh

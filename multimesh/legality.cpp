@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/legality.hpp"
+
+#include <algorithm>
+
+namespace multimesh {
+
+std::string_view to_string(Check check) noexcept {
+  switch (check) {
+    case Check::none: return "none";
+    case Check::link_condition: return "link condition";
+    case Check::gluing: return "gluing";
+    case Check::placement: return "placement";
+    case Check::contact: return "contact";
+    case Check::locked: return "locked";
+    case Check::flip: return "flip";
+    case Check::invariant: return "invariant";
+  }
+  return "?";
+}
+
+CollapseVerdict Legality::collapse(const MultiMesh& tree, const Copies& copies,
+                                   const LegalityOptions& options) {
+  CollapseVerdict verdict;
+  if (!link_conditions(tree, copies, verdict)) return verdict;
+  for (std::uint32_t i = 0; i < copies.size(); ++i) {
+    for (const NodeId below : tree.descendants(copies[i].node))
+      if (!no_gluing(tree, copies, i, below, verdict)) return verdict;
+    if (options.contact && !no_contact(tree, copies, i, verdict)) return verdict;
+  }
+  if (verdict.hold_a && verdict.hold_b) verdict.refusal = {Check::placement, NodeId::root, {}};
+  return verdict;
+}
+
+// L, and what is cheap to ask at the same time: labels and strata.
+bool Legality::link_conditions(const MultiMesh& tree, const Copies& copies, CollapseVerdict& verdict) {
+  bool locked_a = false, locked_b = false;
+  for (const Copy& c : copies.all()) {
+    const Mesh& mesh = tree.mesh(c.node);
+    if (!mesh.link_condition(c.dart)) {
+      verdict.refusal = {Check::link_condition, c.node, {}};
+      return false;
+    }
+    const Dart at_b = mesh.reorder(c.dart, exchange_ends);
+    locked_a |= mesh.is_locked(mesh.vertex(c.dart));
+    locked_b |= mesh.is_locked(mesh.vertex(at_b));
+    if (locked_a && locked_b) {
+      verdict.refusal = {Check::locked, c.node, {}};
+      return false;
+    }
+    const bool rim_a = mesh.is_boundary(c.dart, 0), rim_b = mesh.is_boundary(at_b, 0);
+    verdict.prefer_a |= rim_a && !rim_b;
+    verdict.prefer_b |= rim_b && !rim_a;
+  }
+  verdict.hold_a |= locked_a;
+  verdict.hold_b |= locked_b;
+  return true;
+}
+
+namespace {
+
+Index end_vertex(const Mesh& mesh, Dart e, End end) {
+  return mesh.vertex(end == End::a ? e : mesh.reorder(e, exchange_ends));
+}
+
+}  // namespace
+
+// Whether an end of an edge has a preimage in a mesh below that no preimage of the edge has.
+bool Legality::unmatched(const MultiMesh& tree, std::span<const Copy> over, NodeId from, NodeId below_node,
+                         Dart at_end, End end) {
+  if (over.empty()) return tree.has_preimage(from, at_end, 0, below_node);
+  const Mesh& below = tree.mesh(below_node);
+  // An interior vertex of a mesh of the same dimension covers the whole star of its image: it is the only
+  // preimage.
+  if (below.dimension() == tree.mesh(from).dimension())
+    for (const Copy& c : over)
+      if (!below.is_boundary(end == End::a ? c.dart : below.reorder(c.dart, exchange_ends), 0)) return false;
+  found_.clear();
+  tree.to_descendant(from, at_end, 0, below_node, found_);
+  return std::any_of(found_.begin(), found_.end(), [&](Dart v) {
+    return std::none_of(over.begin(), over.end(),
+                        [&](const Copy& c) { return end_vertex(below, c.dart, end) == below.vertex(v); });
+  });
+}
+
+// U for the vertices x of the link: whether both a-x and b-x have preimages that no preimage of the
+// facet a-b-x has. Where the mesh below has a facet over a-b-x, its link condition says it already.
+bool Legality::link_gluing(const MultiMesh& tree, const Copy& e, NodeId below) {
+  const Mesh& above = tree.mesh(e.node);
+  if (above.dimension() != 2) return false;
+  above.star(e.dart, 1, star_);
+  for (const Dart t : star_) {  // (a, b, x)
+    if (tree.has_preimage(e.node, t, 2, below)) continue;
+    if (tree.has_preimage(e.node, above.reorder(t, edge_ax), 1, below) &&
+        tree.has_preimage(e.node, above.reorder(t, edge_bx), 1, below))
+      return true;
+  }
+  return false;
+}
+
+namespace {
+
+/// The copies in `below` that lie over copy i; they stand side by side.
+std::span<const Copy> copies_over(const Copies& copies, NodeId below, std::uint32_t i) {
+  const auto lies_over = [&](const Copy& c) {
+    std::uint32_t above = c.above;
+    while (above > i) above = copies[above].above;
+    return above == i;
+  };
+  const auto all = copies.of(below);
+  const auto first = std::find_if(all.begin(), all.end(), lies_over);
+  return {first, std::find_if_not(first, all.end(), lies_over)};
+}
+
+}  // namespace
+
+bool Legality::no_gluing(const MultiMesh& tree, const Copies& copies, std::uint32_t i, NodeId below_node,
+                         CollapseVerdict& verdict) {
+  const Copy& e = copies[i];
+  const auto over = copies_over(copies, below_node, i);
+  const Dart at_b = tree.mesh(e.node).reorder(e.dart, exchange_ends);
+  const bool free_a = unmatched(tree, over, e.node, below_node, e.dart, End::a);
+  const bool free_b = unmatched(tree, over, e.node, below_node, at_b, End::b);
+  if ((free_a && free_b) || link_gluing(tree, e, below_node)) {
+    verdict.refusal = {Check::gluing, below_node, {}};
+    return false;
+  }
+  verdict.hold_a |= free_a;
+  verdict.hold_b |= free_b;
+  // Two preimages that share an end (the end of a slit): all of them become one vertex, which has one set
+  // of values only if it is placed at the shared end.
+  const Mesh& below = tree.mesh(below_node);
+  for (std::size_t m = 0; m < over.size(); ++m)
+    for (std::size_t n = m + 1; n < over.size(); ++n) {
+      const auto shared = [&](End end) {
+        return end_vertex(below, over[m].dart, end) == end_vertex(below, over[n].dart, end);
+      };
+      verdict.hold_a |= shared(End::a);
+      verdict.hold_b |= shared(End::b);
+    }
+  return true;
+}
+
+// C: with labels(s) the children whose image contains s, and one more on the boundary, for s = e and each
+// s = e*x the labels of one of its two sides a*.., b*.. must be among its own.
+bool Legality::no_contact(const MultiMesh& tree, const Copies& copies, std::uint32_t i,
+                          CollapseVerdict& verdict) {
+  const Copy& e = copies[i];
+  const Mesh& mesh = tree.mesh(e.node);
+  const auto children = tree.children(e.node);
+  const auto labels = [&](Dart d, int k) {
+    std::uint64_t set = k < mesh.dimension() && mesh.is_boundary(d, k) ? 1 : 0;
+    for (std::size_t c = 0; c < children.size(); ++c)
+      if (tree.has_preimage(e.node, d, k, children[c])) set |= std::uint64_t{2} << c;
+    return set;
+  };
+  const auto new_contact = [](std::uint64_t a, std::uint64_t b, std::uint64_t both) {
+    return (a & ~both) != 0 && (b & ~both) != 0;
+  };
+  bool touches =
+      new_contact(labels(e.dart, 0), labels(mesh.reorder(e.dart, exchange_ends), 0), labels(e.dart, 1));
+  if (!touches && mesh.dimension() == 2) {
+    mesh.star(e.dart, 1, star_);
+    for (const Dart t : star_)
+      touches |= new_contact(labels(mesh.reorder(t, edge_ax), 1),
+                             labels(mesh.reorder(t, edge_bx), 1), labels(t, 2));
+  }
+  if (touches) verdict.refusal = {Check::contact, e.node, {}};
+  return !touches;
+}
+
+}  // namespace multimesh

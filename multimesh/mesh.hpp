@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "multimesh/dart.hpp"
+
+namespace multimesh {
+
+/// What an edge split did: e = (a,b) got the new vertex c in its interior, and every facet that contained
+/// e was replaced by two. Filled by Mesh::split_edge; buffers are re-used.
+///
+///        b              b          `old` is the facet before, `at_b` and `at_a` its halves after;
+///       /|\            /|\         one of them has the index of `old`.
+///      / | \          /_|_\        .
+///     l  |  r   ->   l  c  r       .
+///      \ | /          \ | /        .
+///       \|/            \|/         .
+///        a              a          .
+struct SplitRecord {
+  struct Halves {
+    Index old, at_a, at_b;
+  };
+  Index a = no_index, b = no_index, vertex = no_index;
+  Dart at_a = no_dart;  ///< (a, c, ...) in some facet, after the split
+  std::vector<Halves> facets;
+  std::vector<std::uint32_t> words;  ///< the mesh's own notes for after_split
+};
+
+/// What an edge collapse did: a was merged into b, the facets that contained (a,b) died. Filled by
+/// Mesh::collapse_edge; buffers are re-used.
+///
+///        b                b        Facets around a now have b instead; l-a and l-b are one edge, r-a and
+///       /|\              / \       r-b too. Indices of surviving facets stay; `renamed` of them have darts
+///      / | \            /   \      with new codes.
+///     l  |  r    ->    l-----r     .
+///      \ | /            \   /      .
+///       \|/              \ /       .
+///        a
+struct CollapseRecord {
+  Index dead = no_index, survivor = no_index;  ///< vertices a and b
+  Dart at_survivor = no_dart;                  ///< a dart at b in a live facet
+  std::vector<std::uint32_t> words;            ///< the mesh's own notes for after_collapse
+};
+
+/// Which facets an edge collapse would touch: one dart per facet, before the operation.
+struct CollapseRegion {
+  DartBuffer dead;     ///< facets that contain the edge; darts (a, b, ...)
+  DartBuffer renamed;  ///< surviving facets in which some dart code will change
+};
+
+/// Old to new indices, after compaction; no_index for what was dead.
+struct Compaction {
+  std::vector<std::vector<Index>> simplices;  ///< [k][old index]
+  std::vector<Dart> darts;                    ///< [old code]; no_dart where dead
+};
+
+/// A pure, facet-manifold simplicial mesh of dimension 1..3 as the core sees it: a proper simplicial
+/// complex (a simplex is determined by its vertex set) with darts, local operations, a journal for exact
+/// undo, and room for anchors. Only the adapter behind it knows the data structure.
+///
+/// Calls are coarse: one per neighbourhood or operation. Writes go through a journal: everything since a
+/// mark() can be rolled back exactly, element counts included. Not thread-safe. A dead or foreign dart is
+/// a caller's bug and is not checked here, but where darts enter the tree (MultiMesh).
+class Mesh {
+ public:
+  using Mark = std::size_t;
+  using LinkSet = std::uint8_t;
+
+  virtual ~Mesh() = default;
+  Mesh(const Mesh&) = delete;
+  Mesh& operator=(const Mesh&) = delete;
+
+  int dimension() const noexcept { return dimension_; }
+
+  // --- simplices and darts
+  virtual Index capacity(int k) const = 0;  ///< index slots of the k-simplices, dead ones included
+  virtual bool is_live(int k, Index s) const = 0;
+  virtual bool is_dart(Dart d) const = 0;  ///< a dart of a live facet
+  virtual Index simplex(Dart d, int k) const = 0;
+  virtual Dart dart_of(int k, Index s) const = 0;         ///< some dart of s; no_dart if s has no facet
+  virtual Dart switch_dart(Dart d, int k) const = 0;      ///< no_dart across the boundary
+  virtual Dart reorder(Dart d, Permutation p) const = 0;  ///< another dart of the same facet
+  virtual Permutation order(Dart from, Dart to) const = 0;  ///< p with reorder(from, p) == to; same facet
+  virtual void vertices(Dart d, Index* out) const = 0;      ///< dimension()+1 of them, in order
+
+  Index vertex(Dart d) const { return simplex(d, 0); }
+  Index facet(Dart d) const { return simplex(d, dimension_); }
+
+  // --- neighbourhoods
+  /// One dart per facet that contains the k-simplex of d, each beginning with d's first k+1 vertices.
+  virtual void star(Dart d, int k, DartBuffer& out) const = 0;
+  /// Whether the k-simplex of d (k < dimension) lies in the boundary of the mesh.
+  virtual bool is_boundary(Dart d, int k) const = 0;
+  /// A label on an isolated point that must keep its place (guard, DESIGN section 7 G).
+  virtual bool is_locked(Index vertex) const = 0;
+
+  // --- local operations; e = (a, b, ...)
+  /// Lk a n Lk b = Lk ab with the boundary coned to a dummy vertex (Dey et al. 1999).
+  virtual bool link_condition(Dart e) const = 0;
+  virtual void split_edge(Dart e, SplitRecord& record) = 0;
+  /// \pre link_condition(e)
+  virtual void collapse_edge(Dart e, CollapseRecord& record) = 0;
+  virtual void collapse_region(Dart e, CollapseRegion& region) const = 0;
+  /// The dart of an old facet that contained e=(a,b), in the half at `end`, with c in place of the other end.
+  virtual Dart after_split(const SplitRecord& record, Dart old, End end) const = 0;
+  /// The dart that an old dart became, with b for a. For one of a dead facet: the same ordering of the
+  /// simplices that survive, in the facet that now contains them. The first k+1 vertices of such a dart,
+  /// for the k that is meant, may not contain both a and b.
+  virtual Dart after_collapse(const CollapseRecord& record, Dart old) const = 0;
+  /// Whether flip_edge is possible: dimension 2, e interior, and the other diagonal not an edge yet.
+  virtual bool can_flip(Dart) const { return false; }
+  /// Replaces e=(a,b) by (l,r). The darts on the four outer edges keep their codes. \pre can_flip(e)
+  virtual void flip_edge(Dart) {}
+
+  // --- journal
+  virtual Mark mark() const = 0;
+  virtual void rollback(Mark mark) = 0;  ///< undo everything since; exact
+  virtual void forget() = 0;             ///< nothing before this call can be undone any more
+
+  // --- containment maps: anchors towards the parent, links towards the children; writes are journaled
+  virtual void add_anchors() = 0;
+  virtual void remove_anchors() = 0;
+  virtual Anchor anchor(Index facet) const = 0;
+  virtual void set_anchor(Index facet, Anchor anchor) = 0;
+  virtual LinkSet add_links(int k) = 0;
+  virtual void remove_links(LinkSet links) = 0;
+  /// The facet of a child over the k-simplex of d (k is that of the link set), or no_index.
+  virtual Index link(LinkSet links, Dart d) const = 0;
+  virtual void set_link(LinkSet links, Dart d, Index child_facet) = 0;
+
+  // --- maintenance
+  /// Removes dead elements for good; properties and status bits move along. \pre the journal is empty
+  virtual Compaction compact() = 0;
+  /// Re-labels link values after the child was compacted.
+  virtual void remap_links(LinkSet links, const std::vector<Index>& child_facets) = 0;
+  /// Appends a sentence for everything that is wrong with the connectivity.
+  virtual void check(std::vector<std::string>& problems) const = 0;
+
+ protected:
+  explicit Mesh(int dimension) : dimension_(dimension) {}
+
+ private:
+  int dimension_;
+};
+
+/// The permutation p of the first k+1 positions with from[p[i]] == to[i]; k <= 3.
+/// \pre both orderings have the same first k+1 vertices, in some order
+Permutation matching(const Index* from, const Index* to, int k);
+
+/// The dart of `facet` with the vertices in this order; no_dart if it has others. Dimension+1 vertices.
+Dart dart_with(const Mesh& mesh, Index facet, const Index* vertices);
+
+}  // namespace multimesh

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/multi_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "multimesh/faces.hpp"
+
+namespace multimesh {
+
+MultiMesh::MultiMesh(std::unique_ptr<Mesh> root) {
+  if (!root) throw UsageError("MultiMesh: the root is null");
+  nodes_.push_back({.mesh = std::move(root), .children = {}, .descendants = {}});
+  remember_order();
+}
+
+const MultiMesh::Node& MultiMesh::node(NodeId n) const {
+  if (!contains(n)) throw UsageError("no node " + std::to_string(index(n)) + " in this tree");
+  return nodes_[index(n)];
+}
+
+MultiMesh::Node& MultiMesh::node(NodeId n) { return const_cast<Node&>(std::as_const(*this).node(n)); }
+
+void MultiMesh::remember_order() {
+  top_down_.assign(1, NodeId::root);
+  for (std::size_t i = 0; i < top_down_.size(); ++i) {
+    const auto& below = nodes_[index(top_down_[i])].children;
+    top_down_.insert(top_down_.end(), below.begin(), below.end());
+  }
+  for (const NodeId n : top_down_) nodes_[index(n)].descendants.clear();
+  for (const NodeId n : top_down_)
+    for (NodeId above = n; above != NodeId::root;) {
+      above = nodes_[index(above)].parent;
+      nodes_[index(above)].descendants.push_back(n);
+    }
+}
+
+NodeId MultiMesh::parent(NodeId n) const {
+  if (n == NodeId::root) throw UsageError("the root has no parent");
+  return node(n).parent;
+}
+
+int MultiMesh::depth(NodeId n) const {
+  int steps = 0;
+  for (; n != NodeId::root; n = parent(n)) ++steps;
+  return steps;
+}
+
+NodeId MultiMesh::lowest_common_ancestor(NodeId a, NodeId b) const {
+  int da = depth(a), db = depth(b);
+  while (a != b) {
+    if (da >= db) {
+      a = parent(a), --da;
+    } else {
+      b = parent(b), --db;
+    }
+  }
+  return a;
+}
+
+void MultiMesh::require_dart(NodeId n, Dart d) const {
+  if (!mesh(n).is_dart(d))
+    throw UsageError("dart " + std::to_string(code(d)) + " is not a live dart of mesh " +
+                     std::to_string(index(n)) + "; darts die in operations and in compact()");
+}
+
+namespace {
+
+/// One anchor per live child facet, both darts alive, no parent simplex used twice.
+void check_anchors(const Mesh& parent, const Mesh& child, std::span<const Anchor> anchors) {
+  const int k = child.dimension();
+  if (k > parent.dimension())
+    throw InputError("a child of dimension " + std::to_string(k) + " does not fit in a parent of dimension " +
+                     std::to_string(parent.dimension()));
+  std::unordered_set<Index> used;
+  for (Index f = 0; f < child.capacity(k); ++f) {
+    if (!child.is_live(k, f)) continue;
+    const std::string who = "anchor of child facet " + std::to_string(f);
+    if (f >= anchors.size()) throw InputError(who + " is missing: give one per facet of the child");
+    const Anchor a = anchors[f];
+    if (!child.is_dart(a.own) || child.facet(a.own) != f)
+      throw InputError(who + ": its own dart does not belong to that facet");
+    if (!parent.is_dart(a.parent)) throw InputError(who + ": its parent dart is not alive");
+    if (!used.insert(parent.simplex(a.parent, k)).second)
+      throw InputError(who + ": another facet of the child lies over the same parent simplex " +
+                       std::to_string(parent.simplex(a.parent, k)));
+  }
+}
+
+/// Child facets that share a vertex must agree on its image; else the map is not simplicial.
+void check_vertex_images(const Mesh& parent, const Mesh& child, std::span<const Anchor> anchors) {
+  const int k = child.dimension();
+  std::vector<Index> image(child.capacity(0), no_index);
+  std::array<Index, 4> from{}, to{};
+  for (Index f = 0; f < child.capacity(k); ++f) {
+    if (!child.is_live(k, f)) continue;
+    child.vertices(anchors[f].own, from.data());
+    parent.vertices(anchors[f].parent, to.data());
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(k); ++i) {
+      Index& known = image[from[i]];
+      if (known != no_index && known != to[i])
+        throw InputError("child vertex " + std::to_string(from[i]) + " would have two images, " +
+                         std::to_string(known) + " and " + std::to_string(to[i]) +
+                         ": cut the child there, or give the facets' vertices in corresponding order");
+      known = to[i];
+    }
+  }
+}
+
+}  // namespace
+
+NodeId MultiMesh::add_child(NodeId parent, std::unique_ptr<Mesh> child, std::span<const Anchor> anchors) {
+  if (!child) throw UsageError("add_child: the child is null");
+  if (open_transactions_ > 0) throw UsageError("add_child inside a transaction");
+  Mesh& above = mesh(parent);
+  check_anchors(above, *child, anchors);
+  check_vertex_images(above, *child, anchors);
+  const auto id = static_cast<NodeId>(nodes_.size());
+  const int k = child->dimension();
+  const auto links = above.add_links(k);
+  child->add_anchors();
+  nodes_.push_back({.mesh = std::move(child), .parent = parent, .links = links, .children = {}, .descendants = {}});
+  nodes_[index(parent)].children.push_back(id);
+  remember_order();
+  Mesh& below = mesh(id);
+  for (Index f = 0; f < below.capacity(k); ++f) {
+    if (!below.is_live(k, f)) continue;
+    below.set_anchor(f, anchors[f]);
+    set_link_of(id, anchors[f].parent, f);
+  }
+  below.forget();
+  above.forget();
+  return id;
+}
+
+void MultiMesh::unlink_from_parent(NodeId n) {
+  Node& c = node(n);
+  Node& above = nodes_[index(c.parent)];
+  above.mesh->remove_links(c.links);
+  std::erase(above.children, n);
+}
+
+MultiMesh MultiMesh::detach(NodeId child) {
+  if (child == NodeId::root) throw UsageError("the root cannot be detached");
+  if (open_transactions_ > 0) throw UsageError("detach inside a transaction");
+  unlink_from_parent(child);
+  node(child).mesh->remove_anchors();
+
+  MultiMesh tree;
+  std::vector<std::pair<NodeId, NodeId>> moved;  // old id, new id
+  const auto move_down = [&](const auto& self, NodeId old, NodeId new_parent) -> void {
+    const auto id = static_cast<NodeId>(tree.nodes_.size());
+    Node& from = nodes_[index(old)];
+    const std::vector<NodeId> below = std::move(from.children);
+    tree.nodes_.push_back({std::move(from.mesh), new_parent, from.links, {}, {}});
+    if (id != NodeId::root) tree.nodes_[index(new_parent)].children.push_back(id);
+    for (const NodeId c : below) self(self, c, id);
+  };
+  move_down(move_down, child, NodeId::root);
+  tree.remember_order();
+  remember_order();
+  return tree;
+}
+
+Dart MultiMesh::to_parent(NodeId child, Dart d) const {
+  const Node& c = nodes_[index(child)];
+  const Mesh& below = *c.mesh;
+  const Anchor a = below.anchor(below.facet(d));
+  return nodes_[index(c.parent)].mesh->reorder(a.parent, below.order(a.own, d));
+}
+
+Dart MultiMesh::to_root(NodeId n, Dart d) const { return to_ancestor(n, d, NodeId::root); }
+
+Dart MultiMesh::to_ancestor(NodeId n, Dart d, NodeId ancestor) const {
+  for (; n != ancestor; n = parent(n)) d = to_parent(n, d);
+  return d;
+}
+
+namespace {
+
+bool known(const Mesh& mesh, const DartBuffer& darts, std::size_t first, Dart d, int k) {
+  const Index s = mesh.simplex(d, k);
+  return std::any_of(darts.begin() + static_cast<std::ptrdiff_t>(first), darts.end(),
+                     [&](Dart other) { return mesh.simplex(other, k) == s; });
+}
+
+/// The dart of the child facet `f` whose vertices map to the first ones of d, a dart at the facet's image.
+Dart lift(const Mesh& above, const Mesh& below, Index f, Dart d) {
+  const Anchor a = below.anchor(f);
+  if (below.dimension() == above.dimension()) return below.reorder(a.own, above.order(a.parent, d));
+  std::array<Index, 4> from{}, to{};
+  above.vertices(a.parent, from.data());
+  above.vertices(d, to.data());
+  return below.reorder(a.own, matching(from.data(), to.data(), below.dimension()));
+}
+
+}  // namespace
+
+void MultiMesh::to_child(NodeId child, Dart d, int k, DartBuffer& out) const {
+  const Node& c = nodes_[index(child)];
+  const Mesh& below = *c.mesh;
+  const Mesh& above = *nodes_[index(c.parent)].mesh;
+  const int dim = below.dimension();
+  if (k > dim) return;
+  if (k == dim) {
+    if (const Index f = above.link(c.links, d); f != no_index) out.push_back(lift(above, below, f, d));
+    return;
+  }
+  const std::size_t first = out.size();
+  above.star(d, k, star_);
+  for (const Dart t : star_)
+    for (const Permutation p : faces_around(above.dimension(), dim, k)) {
+      const Dart face = above.reorder(t, p);
+      const Index f = above.link(c.links, face);
+      if (f == no_index) continue;
+      const Dart found = lift(above, below, f, face);
+      if (!known(below, out, first, found, k)) out.push_back(found);
+    }
+}
+
+void MultiMesh::to_descendant(NodeId from, Dart d, int k, NodeId descendant, DartBuffer& out) const {
+  if (from == descendant) {
+    out.push_back(d);
+    return;
+  }
+  if (parent(descendant) == from) return to_child(descendant, d, k, out);
+  NodeId step = descendant;
+  while (parent(step) != from) step = parent(step);
+  DartBuffer here;
+  to_child(step, d, k, here);
+  for (const Dart e : here) to_descendant(step, e, k, descendant, out);
+}
+
+void MultiMesh::map(NodeId from, Dart d, int k, NodeId to, Via via, DartBuffer& out) const {
+  require_dart(from, d);
+  const NodeId top = via == Via::root ? NodeId::root : lowest_common_ancestor(from, to);
+  to_descendant(top, to_ancestor(from, d, top), k, to, out);
+}
+
+bool MultiMesh::same_simplex(NodeId m, Dart d, NodeId n, Dart e, int k) const {
+  require_dart(m, d);
+  require_dart(n, e);
+  const Mesh& root = mesh(NodeId::root);
+  return root.simplex(to_root(m, d), k) == root.simplex(to_root(n, e), k);
+}
+
+bool MultiMesh::has_preimage(NodeId from, Dart d, int k, NodeId descendant) const {
+  if (parent(descendant) != from) {
+    DartBuffer found;
+    to_descendant(from, d, k, descendant, found);
+    return !found.empty();
+  }
+  const Node& c = nodes_[index(descendant)];
+  const Mesh& above = *nodes_[index(from)].mesh;
+  const int dim = c.mesh->dimension();
+  if (k > dim) return false;
+  if (k == dim) return above.link(c.links, d) != no_index;
+  above.star(d, k, star_);
+  for (const Dart t : star_)
+    for (const Permutation p : faces_around(above.dimension(), dim, k))
+      if (above.link(c.links, above.reorder(t, p)) != no_index) return true;
+  return false;
+}
+
+std::vector<Compaction> MultiMesh::compact() {
+  if (open_transactions_ > 0) throw UsageError("compact inside a transaction");
+  std::vector<Compaction> moved(nodes_.size());
+  for (const NodeId n : top_down_) moved[index(n)] = nodes_[index(n)].mesh->compact();
+  for (const NodeId n : top_down_) {
+    if (n == NodeId::root) continue;
+    Node& c = nodes_[index(n)];
+    const Compaction& own = moved[index(n)];
+    const Compaction& above = moved[index(c.parent)];
+    const int k = c.mesh->dimension();
+    for (Index f = 0; f < c.mesh->capacity(k); ++f) {
+      const Anchor a = c.mesh->anchor(f);
+      c.mesh->set_anchor(f, {own.darts[code(a.own)], above.darts[code(a.parent)]});
+    }
+    nodes_[index(c.parent)].mesh->remap_links(c.links, own.simplices[static_cast<std::size_t>(k)]);
+  }
+  for (const NodeId n : top_down_) nodes_[index(n)].mesh->forget();
+  return moved;
+}
+
+}  // namespace multimesh

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "multimesh/error.hpp"
+#include "multimesh/mesh.hpp"
+
+namespace multimesh {
+
+/// Names a mesh of a tree; stays valid when other meshes are added or removed.
+enum class NodeId : std::uint32_t { root = 0 };
+
+constexpr std::uint32_t index(NodeId n) noexcept { return static_cast<std::uint32_t>(n); }
+
+/// A tree of meshes joined by containment maps: each child facet has an anchor, a dart of its own paired
+/// with a dart of its parent, from which the map child -> parent follows by equal switches on both sides.
+/// The map is simplicial, keeps dimensions, and is injective on facets: a parent simplex has at most one
+/// facet of each child over it, but its lower faces may have several preimages (a seam edge has two).
+///
+///                 root            operations: multimesh/operations.hpp
+///                /    \           construction: multimesh/build.hpp
+///            child    child       checks: multimesh/validate.hpp
+///              |                  what follows an operation: attribute.hpp, invariant.hpp
+///          grandchild
+///
+/// Simplices are named by (node, dart, k): the k-simplex of the dart. Upward, every simplex has one image;
+/// downward, none, one or several preimages. Not thread-safe.
+/// Source: Tao, Dai, Zorin, Schneider, Panozzo, Codimensional MultiMeshing, section 3.
+class MultiMesh {
+ public:
+  explicit MultiMesh(std::unique_ptr<Mesh> root);
+  MultiMesh(MultiMesh&&) noexcept = default;
+  MultiMesh& operator=(MultiMesh&&) noexcept = default;
+
+  // --- the tree
+  /// Adds a mesh below `parent`. `anchors`: one per facet slot of the child, ignored for dead slots.
+  /// \throw InputError if an anchor is missing, dead, not dimension-preserving or not injective on facets;
+  ///        the tree is unchanged then. Cost: linear in the child.
+  NodeId add_child(NodeId parent, std::unique_ptr<Mesh> child, std::span<const Anchor> anchors);
+  /// Takes a child and everything below it out of this tree; it becomes the root of its own.
+  MultiMesh detach(NodeId child);
+
+  const Mesh& mesh(NodeId n) const { return *node(n).mesh; }
+  Mesh& mesh(NodeId n) { return *node(n).mesh; }
+  bool contains(NodeId n) const noexcept { return index(n) < nodes_.size() && nodes_[index(n)].mesh; }
+  /// \throw UsageError for the root
+  NodeId parent(NodeId n) const;
+  std::span<const NodeId> children(NodeId n) const { return node(n).children; }
+  /// All meshes below n, parents before children.
+  std::span<const NodeId> descendants(NodeId n) const { return node(n).descendants; }
+  /// All nodes, parents before children.
+  std::span<const NodeId> nodes() const noexcept { return top_down_; }
+  /// Number of steps from the root.
+  int depth(NodeId n) const;
+  NodeId lowest_common_ancestor(NodeId a, NodeId b) const;
+
+  // --- the containment map of one child
+  Anchor anchor(NodeId child, Index facet) const { return mesh(child).anchor(facet); }
+  /// The facet of `child` over the parent simplex of the child's dimension at d, or no_index.
+  Index facet_over(NodeId child, Dart d) const { return link_of(child, d); }
+
+  /// The image of a dart: (v0..vk) -> the dart of the parent that begins with the images, in order.
+  Dart to_parent(NodeId child, Dart d) const;
+  Dart to_root(NodeId n, Dart d) const;
+  /// \pre `ancestor` is on the path from n to the root
+  Dart to_ancestor(NodeId n, Dart d, NodeId ancestor) const;
+  /// All preimages in `child` of the parent's k-simplex of d, without duplicates: darts whose first k+1
+  /// vertices map to those of d, in order. Appends to `out`. Cost: that of the star of the simplex.
+  void to_child(NodeId child, Dart d, int k, DartBuffer& out) const;
+  /// All preimages in a descendant, any number of steps down.
+  void to_descendant(NodeId from, Dart d, int k, NodeId descendant, DartBuffer& out) const;
+  /// The k-simplices of mesh `to` that have the same image as that of (from, d): in the root (`by root`,
+  /// which crosses seams) or in the lowest common ancestor (which does not).
+  enum class Via { root, lowest_common_ancestor };
+  void map(NodeId from, Dart d, int k, NodeId to, Via via, DartBuffer& out) const;
+  /// Whether two simplices of the tree are the same one: equal images in the root.
+  bool same_simplex(NodeId m, Dart d, NodeId n, Dart e, int k) const;
+  /// Whether the k-simplex of (from, d) has a preimage in a descendant.
+  bool has_preimage(NodeId from, Dart d, int k, NodeId descendant) const;
+
+  // --- maintenance
+  /// Removes dead elements of all meshes; anchors follow. \return what moved where, by node index.
+  /// \throw UsageError inside a transaction. Invalidates all darts and indices that the caller holds.
+  std::vector<Compaction> compact();
+
+  /// \throw UsageError unless d is a dart of a live facet of n
+  void require_dart(NodeId n, Dart d) const;
+
+ private:
+  friend class Transaction;
+  friend class Propagation;
+
+  struct Node {
+    std::unique_ptr<Mesh> mesh;
+    NodeId parent = NodeId::root;
+    Mesh::LinkSet links = 0;  ///< in the parent's mesh
+    std::vector<NodeId> children;
+    std::vector<NodeId> descendants;
+  };
+
+  MultiMesh() = default;
+  const Node& node(NodeId n) const;
+  Node& node(NodeId n);
+  void remember_order();
+  void unlink_from_parent(NodeId n);
+
+  /// Link of the parent's simplex at d to a facet of the child.
+  Index link_of(NodeId child, Dart d) const {
+    const Node& c = nodes_[index(child)];
+    return nodes_[index(c.parent)].mesh->link(c.links, d);
+  }
+  void set_link_of(NodeId child, Dart d, Index facet) {
+    const Node& c = nodes_[index(child)];
+    nodes_[index(c.parent)].mesh->set_link(c.links, d, facet);
+  }
+
+  std::vector<Node> nodes_;       // by NodeId; a removed node has no mesh
+  std::vector<NodeId> top_down_;  // live nodes, parents first
+  int open_transactions_ = 0;
+  mutable DartBuffer star_;
+};
+
+}  // namespace multimesh

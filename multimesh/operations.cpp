@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/operations.hpp"
+
+namespace multimesh {
+
+void Propagation::stage() {
+  if (on_stage) on_stage(stage_++);
+}
+
+// Maps the simplex to the root and finds its copies everywhere.
+void Propagation::start(NodeId n, Dart d, int k) {
+  tree_.require_dart(n, d);
+  ++statistics_.tried;
+  stage_ = 0;
+  changes_.clear();
+  copies_.collect(tree_, tree_.to_root(n, d), k);
+}
+
+std::size_t Propagation::copy_of(NodeId n, Dart d, int k) const {
+  const Mesh& mesh = tree_.mesh(n);
+  std::size_t i = copies_.first(n);
+  while (mesh.simplex(copies_[i].dart, k) != mesh.simplex(d, k)) ++i;
+  return i;
+}
+
+Outcome Propagation::refuse(Refusal r) {
+  ++statistics_.refused[static_cast<std::size_t>(r.check)];
+  return {r, no_dart, no_dart};
+}
+
+Outcome Propagation::succeed(Dart dart, Dart root) {
+  ++statistics_.done;
+  return {{}, dart, root};
+}
+
+Refusal Propagation::ask(bool (Invariant::*when)(const Event&), const Event& event) {
+  for (Invariant* i : invariants_)
+    if (!(i->*when)(event)) return {Check::invariant, NodeId::root, i->name()};
+  return {};
+}
+
+void Propagation::update_attributes(Operation operation) {
+  for (const VertexChange& c : changes_)
+    for (Attribute* a : attributes_)
+      if (a->node() == c.node) a->update(operation, c);
+}
+
+Outcome Propagation::swap(NodeId n, Dart e) {
+  start(n, e, 1);
+  const std::size_t asked = copy_of(n, e, 1);
+  if (!flippable()) return refuse({Check::flip, n, {}});
+  const Event event{tree_, Operation::flip, copies_};
+  stage();
+  if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
+  Transaction transaction(tree_, attributes_);
+  collect_reanchored_by_flip();
+  for (Copy& c : copies_.all()) {
+    stage();
+    Mesh& mesh = tree_.mesh(c.node);
+    const Dart outer = mesh.reorder(c.dart, permutation(0, 2, 1));  // (a,l,.): its code stays
+    mesh.flip_edge(c.dart);
+    c.dart = mesh.reorder(outer, permutation(1, 2, 0));  // (l,r,a)
+  }
+  for (const auto& [node, anchor] : reanchored_) {
+    const Index facet = tree_.mesh(node).facet(anchor.own);
+    tree_.mesh(node).set_anchor(facet, anchor);
+    tree_.set_link_of(node, anchor.parent, facet);
+  }
+  update_attributes(Operation::flip);
+  stage();
+  if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
+  stage();
+  transaction.commit();
+  return succeed(copies_[asked].dart, copies_[0].dart);
+}
+
+// The edge must be interior in every mesh that has it, in one copy only, and in no mesh of lower dimension.
+bool Propagation::flippable() const {
+  for (std::size_t i = 0; i < copies_.size(); ++i) {
+    const Copy& c = copies_[i];
+    const Mesh& mesh = tree_.mesh(c.node);
+    if (mesh.dimension() != 2 || !mesh.can_flip(c.dart)) return false;
+    for (std::size_t j = i + 1; j < copies_.size(); ++j)
+      if (copies_[j].node == c.node && copies_[j].above == c.above) return false;
+  }
+  return true;
+}
+
+// The triangles (a,l,r) and (b,l,r) of a child get anchors on their outer edges, where codes do not change.
+void Propagation::collect_reanchored_by_flip() {
+  reanchored_.clear();
+  for (const Copy& c : copies_.all()) {
+    if (c.node == NodeId::root) continue;
+    const Mesh& mesh = tree_.mesh(c.node);
+    for (const Permutation outer : {edge_ax, edge_bx}) {
+      const Dart own = mesh.reorder(c.dart, outer);
+      reanchored_.push_back({c.node, {own, tree_.to_parent(c.node, own)}});
+    }
+  }
+}
+
+Outcome Propagation::swap_by_split_and_collapse(NodeId n, Dart e) {
+  const Statistics before = statistics_;
+  start(n, e, 1);
+  const Mesh& root = tree_.mesh(NodeId::root);
+  const bool interior = tree_.mesh(n).dimension() == 2 && !root.is_boundary(copies_[0].dart, 1);
+  Outcome outcome{{Check::flip, n, {}}, no_dart, no_dart};
+  if (interior) {
+    Transaction transaction(tree_, attributes_);
+    const Outcome cut = split(n, e);
+    outcome = cut;
+    if (cut) {
+      const Dart to_apex = tree_.mesh(n).reorder(cut.dart, edge_bx);  // (a,c,l) -> (c,l,a)
+      outcome = collapse(n, to_apex, Placement::keep_b());
+      if (outcome) transaction.commit();
+    }
+  }
+  statistics_ = before;
+  ++statistics_.tried;
+  if (!outcome) return refuse(outcome.refusal);
+  ++statistics_.done;
+  return outcome;
+}
+
+Outcome Propagation::relocate(NodeId n, Dart v, const std::function<void(const Event&)>& write) {
+  start(n, v, 0);
+  const Event event{tree_, Operation::relocate, copies_};
+  stage();
+  if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
+  Transaction transaction(tree_, attributes_);
+  write(event);
+  stage();
+  for (const Copy& c : copies_.all()) {
+    const Index own = tree_.mesh(c.node).vertex(c.dart);
+    const Index above = c.node == NodeId::root
+                            ? no_index
+                            : tree_.mesh(tree_.parent(c.node)).vertex(copies_[c.above].dart);
+    changes_.push_back({own, own, own, 0, c.node, above});
+  }
+  update_attributes(Operation::relocate);
+  stage();
+  if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
+  transaction.commit();
+  return succeed(v, copies_[0].dart);
+}
+
+CollapseVerdict Propagation::judge(NodeId n, Dart e) {
+  tree_.require_dart(n, e);
+  copies_.collect(tree_, tree_.to_root(n, e), 1);
+  return legality_.collapse(tree_, copies_, legality_options_);
+}
+
+}  // namespace multimesh

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "multimesh/attribute.hpp"
+#include "multimesh/invariant.hpp"
+#include "multimesh/legality.hpp"
+#include "multimesh/transaction.hpp"
+
+namespace multimesh {
+
+/// Done, or refused with the reason. A refused operation has left everything as it was, indices included.
+struct [[nodiscard]] Outcome {
+  Refusal refusal;
+  /// In the mesh where the operation was asked for, after it. Split: (a, c, ...). Collapse: a dart at the
+  /// merged vertex. Swap: (l, r, ...). Relocation: the dart given. no_dart if refused.
+  Dart dart = no_dart;
+  /// The same in the root.
+  Dart root = no_dart;
+  explicit operator bool() const noexcept { return !refusal.refused(); }
+};
+
+/// How often each answer was given.
+struct Statistics {
+  std::size_t tried = 0, done = 0;
+  std::array<std::size_t, 8> refused{};  ///< by Check
+
+  std::size_t refused_by(Check c) const noexcept { return refused[static_cast<std::size_t>(c)]; }
+};
+
+/// Where the merged vertex of a collapse goes on the edge a-b.
+struct Placement {
+  /// The wanted point (1-t) a + t b.
+  double t = 0.5;
+  /// What happens if the maps hold an end that is not the wanted one: go there (false) or refuse (true).
+  bool strict = false;
+  /// Go to the end that lies in a boundary or ends a curve in some mesh, if just one of them does.
+  bool respect_strata = true;
+
+  static constexpr Placement at(double t) noexcept { return {t, false, true}; }
+  static constexpr Placement keep_a() noexcept { return {0, true, false}; }
+  static constexpr Placement keep_b() noexcept { return {1, true, false}; }
+};
+
+/// The local operations on a tree of meshes. Asked for on an edge of any mesh, an operation is extended to
+/// the root and restricted to all meshes; all maps stay valid, or nothing changes.
+///
+/// Attributes and invariants are those of the algorithm that uses it; they are not owned and must outlive
+/// it. An exception thrown by one of them leaves everything as it was before the operation. Cost per
+/// operation: that of the stars of the edge's copies; no allocation in the steady state.
+/// Source: Codimensional MultiMeshing, section 4; legality beyond it: DESIGN section 7.
+class Propagation {
+ public:
+  explicit Propagation(MultiMesh& tree) : tree_(tree) {}
+
+  Propagation& add(Attribute& a) { return attributes_.push_back(&a), *this; }
+  Propagation& add(Invariant& i) { return invariants_.push_back(&i), *this; }
+  Propagation& set(LegalityOptions o) { return legality_options_ = o, *this; }
+
+  /// Splits the edge of (a, b, ...) at (1-t) a + t b. Legal always.
+  /// \post every facet over the edge became two; new facets and the new edge have their old one's properties
+  Outcome split(NodeId n, Dart e, double t = 0.5);
+
+  /// Collapses the edge of (a, b, ...) in every mesh where it has a copy.
+  /// \post one vertex and one edge fewer per copy; the merged vertex keeps index and properties of the end
+  ///       that holds its place, else of b
+  Outcome collapse(NodeId n, Dart e, Placement placement = {});
+
+  /// Collapses, with the placement chosen once legality has said which end must be held (0, 1 or none).
+  using Chooser = std::function<double(const Event&, std::optional<double> held)>;
+  Outcome collapse(NodeId n, Dart e, const Chooser& choose);
+
+  /// Replaces the interior edge (a,b) of two triangles (a,b,l), (b,a,r) by (l,r) in every mesh. Equals a
+  /// split and the collapse of its new vertex into l; done natively, which leaves no dead elements.
+  Outcome swap(NodeId n, Dart e);
+  /// The same by split and collapse in one transaction; the reference that swap() is tested against.
+  Outcome swap_by_split_and_collapse(NodeId n, Dart e);
+
+  /// Moves a vertex: `write` sets new values by VertexAttribute::set on the copies of the event; then the
+  /// attributes with a rule follow, and invariants are asked.
+  Outcome relocate(NodeId n, Dart v, const std::function<void(const Event&)>& write);
+
+  /// Only the judgement on a collapse; nothing is changed. Invariants are not asked.
+  CollapseVerdict judge(NodeId n, Dart e);
+
+  const MultiMesh& tree() const noexcept { return tree_; }
+  const Statistics& statistics() const noexcept { return statistics_; }
+  /// Of the last operation: the vertex copies (collapse: the merged ones), the edge copies (split).
+  const Copies& copies() const noexcept { return copies_; }
+
+  /// For tests: called before each stage of an operation with its number; may throw.
+  std::function<void(int stage)> on_stage;
+
+ private:
+  struct Moved {  // a child facet whose anchor points into a part of the parent that changes
+    NodeId child;
+    Index facet;
+    End end;
+  };
+  struct Reanchored {
+    NodeId node;
+    Anchor anchor;
+  };
+
+  Outcome refuse(Refusal r);
+  Outcome succeed(Dart dart, Dart root);
+  std::size_t copy_of(NodeId n, Dart d, int k) const;
+  void start(NodeId n, Dart d, int k);
+  void stage();
+  Refusal ask(bool (Invariant::*when)(const Event&), const Event& event);
+  void update_attributes(Operation operation);
+
+  void split_copy(std::size_t i);
+  void collect_moved_by_split(const Copy& c);
+  void write_halves(std::size_t i);
+
+  Outcome collapse_judged(std::size_t asked, double t);
+  bool collapse_copy(std::size_t i);
+  void unlink_dead(NodeId n);
+  void collect_moved_by_collapse(NodeId n);
+  void collect_anchored_in(NodeId child, Dart facet);
+  Dart after_earlier_collapses(std::size_t i, Dart d) const;
+
+  bool flippable() const;
+  void collect_reanchored_by_flip();
+
+  MultiMesh& tree_;
+  std::vector<Attribute*> attributes_;
+  std::vector<Invariant*> invariants_;
+  LegalityOptions legality_options_;
+  Legality legality_;
+  Statistics statistics_;
+
+  Copies copies_;
+  std::vector<SplitRecord> splits_;
+  std::vector<CollapseRecord> collapses_;
+  CollapseRegion region_;
+  std::vector<Moved> moved_;
+  DartBuffer star_;
+  std::vector<Reanchored> reanchored_;
+  std::vector<VertexChange> changes_;
+  int stage_ = 0;
+};
+
+}  // namespace multimesh

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs what the build needs and this Debian or Ubuntu lacks. Asks nothing; does nothing the second time.
+set -euo pipefail
+
+packages=(cmake ninja-build g++ git ccache pkg-config
+  libopenmesh-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "setup: not a Debian system; provide the equivalents of: ${packages[*]}" >&2
+  exit 0
+fi
+
+installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true)
+missing=()
+for package in "${packages[@]}"; do
+  grep -qxF "installed $package" <<<"$installed" || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+as_root=()
+if ((EUID != 0)); then
+  command -v sudo >/dev/null || {
+    echo "setup: run as root: apt-get install ${missing[*]}" >&2
+    exit 1
+  }
+  as_root=(sudo)
+fi
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 \
+    -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@" </dev/null >>"$log" 2>&1
+}
+
+echo "setup: installing ${missing[*]} (1.2 GB of disk, a minute or more)"
+apt update || true # a broken foreign repository need not matter: the installation decides
+apt install -y --no-install-recommends "${missing[@]}" || {
+  cat "$log" >&2
+  echo "setup: apt-get install ${missing[*]} failed, see above" >&2
+  exit 1
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "test/support/fingerprint.hpp"
+
+#include <bit>
+
+#include "adapters/openmesh/connectivity.hpp"
+
+namespace multimesh::test {
+
+namespace {
+
+class Words {
+ public:
+  void put(std::uint64_t w) { words_.push_back(w); }
+  void put(int w) { words_.push_back(static_cast<std::uint32_t>(w)); }
+
+  void connectivity(const OpenMesh::PolyConnectivity& om) {
+    put(om.n_vertices()), put(om.n_edges()), put(om.n_faces());
+    for (const auto v : om.all_vertices()) put(om.halfedge_handle(v).idx()), put(std::uint64_t{om.status(v).bits()});
+    for (const auto e : om.all_edges()) put(std::uint64_t{om.status(e).bits()});
+    for (const auto f : om.all_faces()) put(om.halfedge_handle(f).idx()), put(std::uint64_t{om.status(f).bits()});
+    for (const auto h : om.all_halfedges()) {
+      put(om.to_vertex_handle(h).idx()), put(om.face_handle(h).idx());
+      put(om.next_halfedge_handle(h).idx()), put(om.prev_halfedge_handle(h).idx());
+    }
+  }
+
+  void map(const MultiMesh& tree, NodeId n) {
+    const Mesh& mesh = tree.mesh(n);
+    const int k = mesh.dimension();
+    for (Index f = 0; f < mesh.capacity(k); ++f) {
+      put(std::uint64_t{code(mesh.anchor(f).own)}), put(std::uint64_t{code(mesh.anchor(f).parent)});
+    }
+    const Mesh& above = tree.mesh(tree.parent(n));
+    for (Index s = 0; s < above.capacity(k); ++s)
+      if (above.is_live(k, s)) put(std::uint64_t{tree.facet_over(n, above.dart_of(k, s))});
+  }
+
+  void points(const std::vector<Point3>& values) {
+    for (const Point3& p : values)
+      for (int i = 0; i < 3; ++i) put(std::bit_cast<std::uint64_t>(p[i]));
+  }
+
+  std::vector<std::uint64_t> take() { return std::move(words_); }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace
+
+std::vector<std::uint64_t> fingerprint(Tree& tree) {
+  Words words;
+  for (const NodeId n : tree.tree->nodes()) {
+    words.connectivity(dynamic_cast<openmesh::Connectivity&>(tree.tree->mesh(n)).openmesh());
+    if (n != NodeId::root) words.map(*tree.tree, n);
+    words.points(tree.points(n));
+  }
+  return words.take();
+}
+
+}  // namespace multimesh::test

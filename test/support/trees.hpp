@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "multimesh/build.hpp"
+#include "multimesh/operations.hpp"
+#include "test/support/point3.hpp"
+#include "test/support/shapes.hpp"
+
+namespace multimesh::test {
+
+/// A tree with a position on the vertices of every mesh. The children's start as copies of the root's and
+/// then follow the operations on their own: if they ever differ from those of their images, an operation
+/// placed copies of one vertex at different points.
+class Tree {
+ public:
+  explicit Tree(const Shape& root);
+
+  NodeId add(NodeId id);  ///< gives a mesh that was just added its positions
+  /// A child over all facets, cut open along the given root edges (vertex pairs).
+  NodeId add_cut(NodeId parent, const std::function<bool(Index edge)>& seam);
+  NodeId add_tagged(NodeId parent, int k, const std::function<bool(Index)>& tagged, const CutOptions& = {});
+  NodeId add_boundary(NodeId parent);
+
+  const std::vector<Point3>& points(NodeId n) const { return *points_[index(n)]; }
+  VertexAttribute<Point3>& attribute(NodeId n) { return *attributes_[index(n)]; }
+
+  std::unique_ptr<MultiMesh> tree;
+  std::unique_ptr<Propagation> operations;
+
+ private:
+  std::vector<std::unique_ptr<VertexAttribute<Point3>>> attributes_;
+  std::vector<std::vector<Point3>*> points_;
+};
+
+/// A name and how to make the tree, with about `size` facets in the root.
+struct TreeKind {
+  std::string name;
+  std::function<std::unique_ptr<Tree>(Index size, unsigned seed)> make;
+};
+
+/// The kinds that the random tests run on: surface + UV; surface + UV + seam curves below the UV; surface +
+/// boundary + feature curves; UV of UV, three deep; curves below curves; a torus with its square tile.
+const std::vector<TreeKind>& tree_kinds();
+
+}  // namespace multimesh::test
