@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,10 @@ class Attribute {
  private:
   NodeId node_;
 };
+
+/// Types with a weighted mean; others take the value of the nearer end.
+template <class T>
+concept Interpolable = !std::is_integral_v<T> && requires(const T& a) { T(a * 0.5 + a * 0.5); };
 
 /// A vertex attribute over a std::vector that grows with its mesh (an OpenMesh property's data_vector()).
 /// The default rule interpolates: (1-t) a + t b at the new or merged vertex. Another rule may be given,
@@ -56,17 +61,10 @@ class VertexAttribute final : public Attribute {
     if (operation == Operation::relocate || operation == Operation::flip) return;
     const Index same = c.t <= 0 ? c.a : c.t >= 1 ? c.b : no_index;
     if (same == c.vertex) return;
-    // Copies: a reference into the vector would not survive its growth.
-    const T& a = (*values_)[c.a];
-    const T& b = (*values_)[c.b];
-    if (same != no_index) {
-      T kept = same == c.a ? a : b;
-      set(c.vertex, std::move(kept));
-    } else {
-      T mixed = a;
-      mixed = a * (1.0 - c.t) + b * c.t;
-      set(c.vertex, std::move(mixed));
+    if constexpr (Interpolable<T>) {
+      if (same == no_index) return set(c.vertex, T((*values_)[c.a] * (1.0 - c.t) + (*values_)[c.b] * c.t));
     }
+    set(c.vertex, T((*values_)[same != no_index ? same : c.t < 0.5 ? c.a : c.b]));
   }
 
   Mark mark() const override { return undo_.size(); }

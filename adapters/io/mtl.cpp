@@ -91,7 +91,9 @@ class Relocation {
   std::string free_name(const std::string& wanted, const std::string& text) const {
     if (is_usable(wanted, text)) return wanted;
     for (int n = 1;; ++n) {
-      const std::string name = stem_ + (n == 1 ? "" : "_" + std::to_string(n)) + ".mtl";
+      std::string name = stem_;
+      if (n > 1) name.append("_").append(std::to_string(n));
+      name.append(".mtl");
       if (is_usable(name, text)) return name;
     }
   }

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/orientation_invariants.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace multimesh {
+
+using OpenMesh::Vec2d;
+using OpenMesh::Vec3d;
+
+NormalTurn::NormalTurn(const std::vector<Vec3d>& positions, double max_turn)
+    : Invariant("normal turn"), positions_(positions), min_cosine_(std::cos(max_turn)) {}
+
+bool NormalTurn::before(const Event& event) {
+  if (event.operation != Operation::collapse) return true;
+  const Mesh& mesh = event.tree.mesh(NodeId::root);
+  const Dart a = event.copies[0].dart, b = mesh.reorder(a, exchange_ends);
+  const Vec3d merged = positions_[mesh.vertex(a)] * (1 - event.t) + positions_[mesh.vertex(b)] * event.t;
+  return keeps_normals(mesh, a, mesh.vertex(b), merged) &&
+         (event.t >= 1 || keeps_normals(mesh, b, mesh.vertex(a), merged));
+}
+
+// The triangles around one end, without those over the edge, when that end moves.
+bool NormalTurn::keeps_normals(const Mesh& mesh, Dart end, Index other, const Vec3d& moved) {
+  mesh.star(end, 0, star_);
+  for (const Dart d : star_) {
+    std::array<Index, 4> v{};
+    mesh.vertices(d, v.data());
+    if (v[1] == other || v[2] == other) continue;
+    const Vec3d &p = positions_[v[0]], &q = positions_[v[1]], &r = positions_[v[2]];
+    const Vec3d before = cross(q - p, r - p), after = cross(q - moved, r - moved);
+    const double had = before.sqrnorm(), has = after.sqrnorm();
+    if (!(had > 0)) continue;
+    const double turned = dot(before, after);
+    const double longest = std::max((q - moved).sqrnorm(), (r - moved).sqrnorm());
+    if (has <= 1e-20 * longest * longest) return false;
+    if (turned < min_cosine_ * std::sqrt(had * has)) return false;
+  }
+  return true;
+}
+
+namespace {
+
+double doubled_area(const std::array<Vec2d, 3>& t) {
+  const Vec2d u = t[1] - t[0], v = t[2] - t[0];
+  return u[0] * v[1] - u[1] * v[0];
+}
+
+double bounding_box_diagonal(const std::vector<Vec2d>& points) {
+  if (points.empty()) return 0;
+  Vec2d low = points.front(), high = low;
+  for (const Vec2d& p : points) low.minimize(p), high.maximize(p);
+  return (high - low).norm();
+}
+
+}  // namespace
+
+TextureOrientation::TextureOrientation(const MultiMesh& tree, NodeId texture, const std::vector<Vec2d>& texcoords)
+    : Invariant("texture orientation"), texture_(texture), texcoords_(texcoords) {
+  const double diagonal = bounding_box_diagonal(texcoords);
+  no_area_ = 1e-11 * diagonal * diagonal;
+  orient_charts(tree.mesh(texture));
+}
+
+void TextureOrientation::orient_charts(const Mesh& mesh) {
+  chart_sign_.assign(mesh.capacity(2), 0);
+  std::vector<bool> seen(mesh.capacity(2), false);
+  std::vector<Index> chart;
+  for (Index start = 0; start < mesh.capacity(2); ++start) {
+    if (seen[start] || !mesh.is_live(2, start)) continue;
+    seen[start] = true;
+    chart.assign(1, start);
+    double total = 0;
+    for (std::size_t i = 0; i < chart.size(); ++i) {
+      Dart d = mesh.dart_of(2, chart[i]);
+      std::array<Index, 4> v{};
+      mesh.vertices(d, v.data());
+      total += doubled_area({texcoords_[v[0]], texcoords_[v[1]], texcoords_[v[2]]});
+      for (int side = 0; side < 3; ++side, d = mesh.reorder(d, edge_bx)) {
+        const Dart across = mesh.switch_dart(d, 2);
+        if (across == no_dart || seen[mesh.facet(across)]) continue;
+        seen[mesh.facet(across)] = true;
+        chart.push_back(mesh.facet(across));
+      }
+    }
+    for (const Index f : chart) chart_sign_[f] = total > 0 ? 1 : total < 0 ? -1 : 0;
+  }
+}
+
+int TextureOrientation::sign(const Triangle& t) const {
+  const double area = doubled_area(t);
+  return area > no_area_ ? 1 : area < -no_area_ ? -1 : 0;
+}
+
+bool TextureOrientation::before(const Event& event) {
+  if (event.operation != Operation::collapse) return true;
+  const Mesh& mesh = event.tree.mesh(texture_);
+  for (const Copy& c : event.copies.of(texture_)) {
+    const Dart a = c.dart, b = mesh.reorder(a, exchange_ends);
+    const Vec2d merged = texcoords_[mesh.vertex(a)] * (1 - event.t) + texcoords_[mesh.vertex(b)] * event.t;
+    if (!keeps_signs(mesh, a, mesh.vertex(b), merged)) return false;
+    if (event.t < 1 && !keeps_signs(mesh, b, mesh.vertex(a), merged)) return false;
+  }
+  return true;
+}
+
+bool TextureOrientation::keeps_signs(const Mesh& mesh, Dart end, Index other, const Vec2d& moved) {
+  mesh.star(end, 0, star_);
+  // All darts of a star go round their facets as the facet's own dart does, or all against it: the sign of
+  // the area is taken in the same sense before and after, and the chart's in that of dart_of.
+  for (const Dart d : star_) {
+    std::array<Index, 4> v{};
+    mesh.vertices(d, v.data());
+    if (v[1] == other || v[2] == other) continue;
+    const int had = sign({texcoords_[v[0]], texcoords_[v[1]], texcoords_[v[2]]});
+    const int has = sign({moved, texcoords_[v[1]], texcoords_[v[2]]});
+    if (has != had && has != chart_sign_[mesh.facet(d)]) return false;
+  }
+  return true;
+}
+
+}  // namespace multimesh

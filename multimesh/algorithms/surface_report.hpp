@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "multimesh/algorithms/textured_surface.hpp"
+
+namespace multimesh {
+
+/// What one mesh of a tree is. Counted over live simplices; isolated vertices are left out.
+struct MeshReport {
+  int dimension = 2;
+  std::size_t vertices = 0, edges = 0, faces = 0;  ///< faces: 0 in dimension 1
+  std::size_t components = 0;
+  long euler_characteristic = 0;
+  std::size_t boundary = 0;  ///< boundary loops (dimension 2) or end points (dimension 1)
+  /// Of all components together: (2 components - boundary loops - Euler characteristic) / 2. Dimension 2.
+  long genus = 0;
+};
+
+MeshReport report(const Mesh& mesh);
+
+/// The graph of the seams: edges of the surface's interior at which the texture is cut open.
+struct SeamReport {
+  std::size_t edges = 0;
+  std::size_t curves = 0;     ///< chains and loops between the points below
+  std::size_t ends = 0;       ///< vertices with one seam edge
+  std::size_t junctions = 0;  ///< vertices with three or more
+};
+
+SeamReport report_seams(const TexturedSurface& surface);
+
+/// How far from manifold the triangles of an input are, as given.
+struct ManifoldReport {
+  std::size_t edges_with_three_or_more = 0;
+  std::size_t inconsistent_edges = 0;  ///< two triangles that run along it in the same direction
+  std::size_t cut_vertices = 0;        ///< vertices at which the surface had to be cut
+};
+
+ManifoldReport report_manifoldness(const TexturedTriangles& input, const TexturedSurface& surface);
+
+}  // namespace multimesh

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "multimesh/edge_queue.hpp"
+#include "multimesh/operations.hpp"
+
+namespace multimesh {
+
+/// An algorithm that applies one operation to the edges of the root, cheapest first.
+///
+/// A policy has
+///   std::optional<double> cost(Dart edge);     // nothing: leave this edge alone
+///   Outcome apply(Dart edge, double cost);
+///   bool finished(double next_cost);           // the stop criterion, asked before each operation
+class PriorityScheduler {
+ public:
+  enum class Stop {
+    finished,   ///< the policy's stop criterion
+    exhausted,  ///< no edge is left whose operation is allowed
+  };
+
+  explicit PriorityScheduler(const Propagation& operations) : tree_(operations.tree()) {}
+
+  /// Runs until the policy is finished or a whole pass over the refused edges has changed nothing. After
+  /// each operation, the edges around its vertex get a new cost; refused edges are asked again when that
+  /// happens to them, and in the next pass. Cost: O(log n) per operation and update.
+  template <class Policy>
+  Stop run(Policy& policy) {
+    const Mesh& root = tree_.mesh(NodeId::root);
+    queue_.reserve(root.capacity(1));
+    for (Index e = 0; e < root.capacity(1); ++e)
+      if (root.is_live(1, e))
+        if (const auto cost = policy.cost(root.dart_of(1, e))) queue_.push_unordered(e, *cost);
+    queue_.heapify();
+    for (;;) {
+      const std::size_t done = operations_;
+      if (pass(policy) == Stop::finished) return Stop::finished;
+      if (operations_ == done) return Stop::exhausted;
+      ask_again(policy);
+    }
+  }
+
+  /// Edges refused in the last pass: what stands in the way of a run that is exhausted.
+  const std::vector<Index>& refused_edges() const noexcept { return refused_; }
+
+ private:
+  template <class Policy>
+  Stop pass(Policy& policy) {
+    const Mesh& root = tree_.mesh(NodeId::root);
+    refused_.clear();
+    EdgeQueue::Entry next;
+    while (queue_.pop(next)) {
+      if (!root.is_live(1, next.edge)) continue;
+      if (policy.finished(next.cost)) return Stop::finished;
+      const Outcome outcome = policy.apply(root.dart_of(1, next.edge), next.cost);
+      if (!outcome) {
+        refused_.push_back(next.edge);
+        continue;
+      }
+      ++operations_;
+      update_around(outcome.root, policy);
+    }
+    return Stop::exhausted;
+  }
+
+  template <class Policy>
+  void update_around(Dart vertex, Policy& policy) {
+    const Mesh& root = tree_.mesh(NodeId::root);
+    const auto update = [&](Dart e) {
+      const Index edge = root.simplex(e, 1);
+      if (const auto cost = policy.cost(e)) {
+        queue_.push(edge, *cost);
+      } else {
+        queue_.erase(edge);
+      }
+    };
+    root.star(vertex, 0, star_);
+    for (const Dart t : star_) {
+      update(t);
+      if (root.dimension() < 2) continue;
+      const Dart other = root.reorder(t, edge_ax);
+      if (root.is_boundary(other, 1)) update(other);
+    }
+  }
+
+  template <class Policy>
+  void ask_again(Policy& policy) {
+    const Mesh& root = tree_.mesh(NodeId::root);
+    for (const Index e : refused_)
+      if (root.is_live(1, e))
+        if (const auto cost = policy.cost(root.dart_of(1, e))) queue_.push(e, *cost);
+  }
+
+  const MultiMesh& tree_;
+  EdgeQueue queue_;
+  std::vector<Index> refused_;
+  DartBuffer star_;
+  std::size_t operations_ = 0;
+};
+
+}  // namespace multimesh

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "test/core/mesh_cases.hpp"
+
+#include <random>
+
+#include "adapters/openmesh/make_mesh.hpp"
+#include "test/core/bridge.hpp"
+#include "test/support/shapes.hpp"
+
+namespace multimesh::test {
+
+namespace {
+
+std::unique_ptr<Mesh> make(const FacetList& list) { return openmesh::make_mesh(list); }
+
+std::unique_ptr<Mesh> shaken(const FacetList& list, unsigned seed) {
+  auto mesh = make(list);
+  shake(*mesh, seed, 60);
+  return mesh;
+}
+
+FacetList chain(Index n) {
+  FacetList list{1, n + 1, {}};
+  for (Index i = 0; i < n; ++i) list.corners.insert(list.corners.end(), {i, i + 1});
+  return list;
+}
+
+FacetList loop(Index n) {
+  FacetList list = chain(n);
+  list.corners.back() = 0;
+  list.vertices = n;
+  return list;
+}
+
+//  0-->1<--2-->3    4<--5   and the triangle 6-7-8, every edge drawn in another direction
+FacetList mixed_curves() { return {1, 9, {0, 1, 2, 1, 2, 3, 5, 4, 6, 7, 8, 7, 8, 6}}; }
+
+FacetList two_components() {
+  FacetList list = grid(2, 1).facets;
+  const FacetList more = sphere(0).facets;
+  for (const Index v : more.corners) list.corners.push_back(v + list.vertices);
+  list.vertices += more.vertices;
+  return list;
+}
+
+}  // namespace
+
+void shake(Mesh& mesh, unsigned seed, int operations) {
+  std::mt19937 random(seed);
+  SplitRecord split;
+  CollapseRecord collapse;
+  for (int i = 0; i < operations; ++i) {
+    const DartBuffer darts = all_darts(mesh);
+    const Dart d = darts[random() % darts.size()];
+    switch (random() % 3) {
+      case 0: mesh.split_edge(d, split); break;
+      case 1:
+        if (mesh.link_condition(d)) mesh.collapse_edge(d, collapse);
+        break;
+      default:
+        if (mesh.can_flip(d)) mesh.flip_edge(d);
+    }
+  }
+  mesh.forget();
+}
+
+const std::vector<MeshCase>& mesh_cases() {
+  static const std::vector<MeshCase> cases{
+      {"OneTriangle", [] { return make({2, 3, {0, 1, 2}}); }},
+      {"Tetrahedron", [] { return make({2, 4, {1, 2, 3, 0, 3, 2, 0, 1, 3, 0, 2, 1}}); }},
+      {"Grid", [] { return make(grid(3, 4).facets); }},
+      {"Annulus", [] { return make(annulus(5, 2).facets); }},
+      {"Torus", [] { return make(torus(4, 5).facets); }},
+      {"Sphere", [] { return make(sphere(1).facets); }},
+      {"Disk", [] { return make(disk(7).facets); }},
+      {"TwoComponents", [] { return make(two_components()); }},
+      {"ShakenGrid", [] { return shaken(grid(3, 3).facets, 1); }},
+      {"ShakenAnnulus", [] { return shaken(annulus(4, 2).facets, 2); }},
+      {"ShakenTorus", [] { return shaken(torus(4, 4).facets, 3); }},
+      {"ShakenTwoComponents", [] { return shaken(two_components(), 4); }},
+      {"OneEdge", [] { return make({1, 2, {1, 0}}); }},
+      {"Chain", [] { return make(chain(6)); }},
+      {"Loop", [] { return make(loop(5)); }},
+      {"SmallestLoop", [] { return make(loop(3)); }},
+      {"MixedCurves", [] { return make(mixed_curves()); }},
+      {"ShakenChain", [] { return shaken(chain(6), 5); }},
+      {"ShakenLoop", [] { return shaken(loop(6), 6); }},
+      {"ShakenMixedCurves", [] { return shaken(mixed_curves(), 7); }}};
+  return cases;
+}
+
+}  // namespace multimesh::test

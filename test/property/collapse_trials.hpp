@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "oracle/image_signature.hpp"
+#include "oracle/random_trees.hpp"
+#include "property/oracle_tree.hpp"
+
+namespace multimesh::test {
+
+/// A collapse as the library decided it and as brute force sees it.
+struct Trial {
+  oracle::Simplex edge;          ///< of the root
+  Refusal refusal;               ///< of the operation itself; not refused: it was done, compared, undone
+  bool valid = false;            ///< by identification of vertices, the result is a tree
+  bool meshes_kept = false;      ///< valid, and every mesh keeps its topology
+  bool unchanged = false;        ///< meshes_kept, and every image keeps its type, as far as was asked
+  std::string reason;            ///< what is invalid, or what changed
+  std::string fault;             ///< a bug: the real result differs, an undo is not exact, ...
+
+  bool accepted() const { return !refusal.refused(); }
+};
+
+/// Tries the collapse of every edge of a tree, asked for on a random copy of the edge in a random mesh. An
+/// accepted one is done within a transaction, compared with identification, and undone; so that what counts
+/// is what the operation does, the link conditions of copies after the first included.
+class CollapseTrials {
+ public:
+  /// \pre tree_error(plain) is empty, and all its meshes are orientable
+  CollapseTrials(const oracle::Tree& plain, std::uint64_t seed, LegalityOptions legality,
+                 oracle::SignatureOptions signature);
+
+  /// Calls back once per edge of the root.
+  void run(const std::function<void(const Trial&)>& report);
+
+  /// The tree with the vertex names of the trials.
+  const oracle::Tree& plain() const { return plain_; }
+  /// "seed 5 edge {1 2}: ..." for messages.
+  std::string describe(const Trial& trial) const;
+
+ private:
+  Trial attempt(Dart root_edge);
+  std::string compare(const oracle::CollapseResult& expected) const;
+  std::string misplaced(const oracle::Tree& after, const oracle::CollapseResult& expected) const;
+
+  std::uint64_t seed_;
+  std::mt19937_64 rng_;
+  MultiMesh tree_;
+  Propagation ops_;
+  Records records_;
+  oracle::Tree plain_;
+  oracle::SignatureOptions options_;
+  oracle::TreeSignature before_;
+};
+
+/// How the trials of one kind of tree went.
+struct TrialCount {
+  std::size_t candidates = 0, accepted = 0, changed = 0, invalid = 0, refused = 0, harmless = 0;
+
+  void add(const Trial& trial);
+  static std::string header();
+  std::string row(const std::string& name) const;  ///< in the columns of header()
+};
+
+/// MULTIMESH_ORACLE_CANDIDATES, how many candidates a test program tries in total; or the given number.
+std::size_t total_candidates(std::size_t fallback);
+
+/// A surface that OpenMesh can hold, all of them in turn.
+oracle::Surface orientable_surface(std::uint64_t seed);
+
+/// The same tree with its curves below the root cut where their type changes as well (guards, DESIGN section
+/// 7): where another child or the boundary of the root is met or left.
+/// \pre all children are curves below the root
+oracle::Tree cut_at_contacts(const oracle::Tree& tree);
+
+}  // namespace multimesh::test

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace multimesh::tools {
+
+enum ExitCode : int { done = 0, refused = 1, usage = 2 };
+
+/// Each adds its subcommand, and sets `exit_code` when it has run.
+void add_decimate_command(CLI::App& app, int& exit_code);
+void add_info_command(CLI::App& app, int& exit_code);
+
+}  // namespace multimesh::tools

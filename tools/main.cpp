@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <iostream>
+
+#include "adapters/io/atomic_file.hpp"
+#include "multimesh/error.hpp"
+#include "multimesh/version.hpp"
+#include "tools/command.hpp"
+
+int main(int argc, char** argv) {
+  using namespace multimesh;
+  io::install_signal_cleanup();
+  CLI::App app{"Textured surfaces as multimeshes: surface, texture and seams stay in step."};
+  app.name("multimesh");
+  app.set_version_flag("--version", std::string("multimesh ") + version);
+  app.require_subcommand(1);
+  app.footer("multimesh COMMAND --help says more.\nExit status: 0 done, 1 refused or bad input, 2 wrong usage.");
+  int exit_code = tools::done;
+  tools::add_decimate_command(app, exit_code);
+  tools::add_info_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? tools::done : tools::usage;
+  } catch (const InputError& e) {
+    std::cerr << "multimesh: " << e.what() << '\n';
+    return tools::refused;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "multimesh: out of memory\n";
+    return tools::refused;
+  } catch (const std::exception& e) {
+    std::cerr << "multimesh: internal error: " << e.what() << '\n';
+    return tools::refused;
+  }
+  return exit_code;
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "multimesh/algorithms/surface_report.hpp"
+
+namespace multimesh::tools {
+
+/// Keeps the order of insertion: reports are read by people too.
+using Json = nlohmann::ordered_json;
+
+/// {"surface": .., "texture": .., "seams": ..}; texture and seams are null where there is none.
+Json to_json(const TexturedSurface& surface);
+Json to_json(const MeshReport& mesh);
+
+}  // namespace multimesh::tools
