@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-#include "multimesh/algorithms/orientation_invariants.hpp"
+#include "multimesh/algorithms/surface_invariants.hpp"
 #include "multimesh/algorithms/quadric.hpp"
 #include "multimesh/scheduler.hpp"
 
@@ -65,6 +65,7 @@ class Decimator {
   std::optional<VertexAttribute<Vec2d>> texcoords_;
   VertexAttribute<Quadric> quadric_attribute_;
   VertexAttribute<std::uint8_t> rank_attribute_;
+  CopiesStayApart copies_stay_apart_;
   NormalTurn normal_turn_;
   std::optional<TextureOrientation> texture_orientation_;
   Propagation operations_;
@@ -87,6 +88,7 @@ Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
       normal_turn_(surface.positions(), options.max_normal_turn),
       operations_(surface.tree()) {
   operations_.add(positions_).add(rank_attribute_);
+  if (surface.cut_report().copied_vertices > 0) operations_.add(copies_stay_apart_);
   if (const auto texture = surface.texture()) {
     texcoords_.emplace(*texture, surface.texcoords());
     texture_orientation_.emplace(surface.tree(), *texture, surface.texcoords());

@@ -82,7 +82,7 @@ class Builder {
   void lock_copies();
   void add_texture();
   void add_seams();
-  int seam_kind(Index edge) const;
+  int curve_kind(Index edge) const;
 
   const TexturedTriangles& input_;
   TexturedSurface::Data& out_;
@@ -94,7 +94,7 @@ void Builder::run() {
   add_surface();
   lock_copies();
   add_texture();
-  if (out_.texture) add_seams();
+  add_seams();
 }
 
 void Builder::add_surface() {
@@ -168,42 +168,48 @@ void Builder::add_texture() {
     (*out_.texcoords)[v] = input_.texcoords[texcoord_of[texture.source[v]]];
 }
 
-// 0: no seam; 1: two preimages; 2: a preimage on one side only.
-int Builder::seam_kind(Index edge) const {
+// What runs along an edge: nothing (0), a seam between two charts or two places of one (1), the border of the
+// texture (2); and the border of triangles that were turned round (4).
+int Builder::curve_kind(Index edge) const {
   const Mesh& root = out_.tree->mesh(NodeId::root);
-  const Mesh& texture = out_.tree->mesh(*out_.texture);
   const Dart e = root.dart_of(1, edge);
   if (root.is_boundary(e, 1)) return 0;
+  const int turned = (*out_.reversed)[root.facet(e)] != (*out_.reversed)[root.facet(root.switch_dart(e, 2))] ? 4 : 0;
+  if (!out_.texture) return turned;
   DartBuffer copies;
   out_.tree->to_child(*out_.texture, e, 1, copies);
-  return copies.size() == 2 ? 1 : copies.size() == 1 && texture.is_boundary(copies[0], 1) ? 2 : 0;
+  if (copies.size() == 2) return 1 | turned;
+  return (copies.size() == 1 && out_.tree->mesh(*out_.texture).is_boundary(copies[0], 1) ? 2 : 0) | turned;
 }
 
 void Builder::add_seams() {
   const Mesh& root = out_.tree->mesh(NodeId::root);
   std::vector<int> kind(root.capacity(1));
   struct AtVertex {
-    int degree = 0, kinds = 0;
+    int degree = 0, kind = 0;
+    bool same_kind = true;
   };
   std::vector<AtVertex> at(root.capacity(0));
   for (Index e = 0; e < root.capacity(1); ++e) {
-    kind[e] = seam_kind(e);
+    kind[e] = curve_kind(e);
     if (kind[e] == 0) continue;
     const Dart d = root.dart_of(1, e);
     for (const Dart end : {d, root.switch_dart(d, 0)}) {
-      ++at[root.vertex(end)].degree;
-      at[root.vertex(end)].kinds |= kind[e];
+      AtVertex& v = at[root.vertex(end)];
+      v.same_kind &= v.degree++ == 0 || v.kind == kind[e];
+      v.kind = kind[e];
     }
   }
   if (std::all_of(kind.begin(), kind.end(), [](int k) { return k == 0; })) return;
-  // A curve goes on through a vertex only if nothing but that one seam passes there.
+  // A curve goes on through a vertex only if nothing but that one curve passes there.
   const auto ends_at = [&](Index v) {
-    if (at[v].degree != 2 || at[v].kinds == 3) return true;
+    if (at[v].degree != 2 || !at[v].same_kind) return true;
     const Dart d = root.dart_of(0, v);
     if (root.is_boundary(d, 0)) return true;
+    if (!out_.texture) return false;
     DartBuffer copies;
     out_.tree->to_child(*out_.texture, d, 0, copies);
-    return copies.size() != (at[v].kinds == 1 ? 2U : 1U);
+    return copies.size() > (at[v].kind & 1 ? 2U : 1U);
   };
   out_.seams = add_child_from_tags(*out_.tree, NodeId::root, 1, [&](Index e) { return kind[e] != 0; },
                                    openmesh::make_mesh, {ends_at});

@@ -34,8 +34,9 @@ struct CutReport {
 ///      surface (positions)            the root: triangles, cut where they are not manifold
 ///       /              \              .
 ///    texture (UVs)    seams            texture: the triangles with texture coordinates, one vertex per
-///                                     corner class; seams: the curves where it is cut open, ending at
-///                                     their junctions and wherever their kind changes
+///                                     corner class; seams: the curves where it is cut open, and those
+///                                     around triangles that had to be turned round, ending at their
+///                                     junctions and wherever their kind changes
 ///
 /// Two corners at one position are one vertex of the texture if their texture coordinates have equal values.
 /// Copies of one input vertex are locked, so that they can be joined again.
@@ -54,7 +55,7 @@ class TexturedSurface {
   MultiMesh& tree();
   const MultiMesh& tree() const;
   std::optional<NodeId> texture() const;  ///< if any triangle has texture coordinates
-  std::optional<NodeId> seams() const;    ///< if the texture is cut open anywhere
+  std::optional<NodeId> seams() const;    ///< if there are such curves
   std::vector<OpenMesh::Vec3d>& positions();
   const std::vector<OpenMesh::Vec3d>& positions() const;
   std::vector<OpenMesh::Vec2d>& texcoords();

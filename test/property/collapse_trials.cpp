@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <utility>
 
 #include "multimesh/transaction.hpp"
@@ -64,11 +66,8 @@ Trial CollapseTrials::attempt(Dart root_edge) {
   if (expected.valid) {
     const oracle::TreeSignature after = image_signature(expected.tree, options_);
     trial.reason = difference(before_, after);
-    trial.unchanged = before_ == after;
-    trial.meshes_kept = true;
     for (std::size_t i = 0; i < after.parts.size(); ++i)
-      if (after.parts[i].aspect == oracle::SignaturePart::Aspect::kMesh)
-        trial.meshes_kept &= after.parts[i] == before_.parts[i];
+      if (after.parts[i] != before_.parts[i]) trial.changed.push_back(after.parts[i]);
   }
 
   Copies copies;
@@ -118,11 +117,12 @@ void TrialCount::add(const Trial& trial) {
   ++candidates;
   if (trial.accepted()) {
     ++accepted;
-    invalid += !trial.meshes_kept;
-    changed += !trial.unchanged;
+    invalid += !trial.valid;
+    changed += !trial.unchanged();
   } else {
     ++refused;
-    harmless += trial.unchanged;
+    harmless += trial.unchanged();
+    harmless_by[static_cast<std::size_t>(trial.refusal.check)] += trial.unchanged();
   }
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "oracle/image_signature.hpp"
 #include "oracle/random_trees.hpp"
@@ -15,12 +17,12 @@ struct Trial {
   oracle::Simplex edge;          ///< of the root
   Refusal refusal;               ///< of the operation itself; not refused: it was done, compared, undone
   bool valid = false;            ///< by identification of vertices, the result is a tree
-  bool meshes_kept = false;      ///< valid, and every mesh keeps its topology
-  bool unchanged = false;        ///< meshes_kept, and every image keeps its type, as far as was asked
+  std::vector<oracle::SignaturePart> changed;  ///< if valid, what is not what it was
   std::string reason;            ///< what is invalid, or what changed
   std::string fault;             ///< a bug: the real result differs, an undo is not exact, ...
 
   bool accepted() const { return !refusal.refused(); }
+  bool unchanged() const { return valid && changed.empty(); }
 };
 
 /// Tries the collapse of every edge of a tree, asked for on a random copy of the edge in a random mesh. An
@@ -57,9 +59,13 @@ class CollapseTrials {
 
 /// How the trials of one kind of tree went.
 struct TrialCount {
-  std::size_t candidates = 0, accepted = 0, changed = 0, invalid = 0, refused = 0, harmless = 0;
+  std::size_t candidates = 0;
+  std::size_t accepted = 0, invalid = 0, changed = 0;  ///< of the accepted ones: by Trial
+  std::size_t refused = 0, harmless = 0;               ///< of the refused ones: would have changed nothing
+  std::array<std::size_t, 8> harmless_by{};            ///< by Check
 
   void add(const Trial& trial);
+  std::size_t harmless_refused_by(Check c) const { return harmless_by[static_cast<std::size_t>(c)]; }
   static std::string header();
   std::string row(const std::string& name) const;  ///< in the columns of header()
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "multimesh/algorithms/orientation_invariants.hpp"
+#include "multimesh/algorithms/surface_invariants.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -8,6 +9,32 @@ namespace multimesh {
 
 using OpenMesh::Vec2d;
 using OpenMesh::Vec3d;
+
+bool CopiesStayApart::before(const Event& event) {
+  if (event.operation != Operation::collapse) return true;
+  const Mesh& mesh = event.tree.mesh(NodeId::root);
+  const Dart a = event.copies[0].dart, b = mesh.reorder(a, exchange_ends);
+  if (!mesh.is_locked(mesh.vertex(b)) && !mesh.is_locked(mesh.vertex(a))) return true;
+  const auto labelled_around = [&](Dart center) {
+    std::vector<Index> found;
+    mesh.star(center, 0, star_);
+    for (const Dart d : star_) {
+      std::array<Index, 4> v{};
+      mesh.vertices(d, v.data());
+      for (const Index x : {v[1], v[2]})
+        if (mesh.is_locked(x)) found.push_back(x);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  };
+  // The merged vertex is labelled: its labelled neighbours must have been those of the labelled end.
+  const bool at_b = mesh.is_locked(mesh.vertex(b));
+  const auto before = labelled_around(at_b ? b : a), gained = labelled_around(at_b ? a : b);
+  const Index merged = mesh.vertex(at_b ? b : a);
+  return std::all_of(gained.begin(), gained.end(), [&](Index x) {
+    return x == merged || std::binary_search(before.begin(), before.end(), x);
+  });
+}
 
 NormalTurn::NormalTurn(const std::vector<Vec3d>& positions, double max_turn)
     : Invariant("normal turn"), positions_(positions), min_cosine_(std::cos(max_turn)) {}

@@ -8,6 +8,17 @@
 
 namespace multimesh {
 
+/// Collapses may not make an edge between two labelled vertices of the root: these are copies of vertices at
+/// which the surface was cut, and another sheet may have that edge too.
+class CopiesStayApart final : public Invariant {
+ public:
+  CopiesStayApart() : Invariant("copies stay apart") {}
+  bool before(const Event& event) override;
+
+ private:
+  DartBuffer star_;
+};
+
 /// Collapses may not turn a triangle of the root by more than an angle, nor make one degenerate. Triangles
 /// without area may do what they like.
 class NormalTurn final : public Invariant {

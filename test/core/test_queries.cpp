@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps up, down and across, on trees of all kinds, against brute force over vertex images.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "oracle/image.hpp"
+#include "test/core/drawn.hpp"
+
+namespace multimesh::test {
+namespace {
+
+std::vector<Index> leading(const Mesh& mesh, Dart d, int k) {
+  std::vector<Index> v(4);
+  mesh.vertices(d, v.data());
+  v.resize(static_cast<std::size_t>(k) + 1);
+  return v;
+}
+
+oracle::Simplex as_simplex(std::vector<Index> v) {
+  std::sort(v.begin(), v.end());
+  oracle::Simplex s{static_cast<int>(v.size()), {}};
+  for (std::size_t i = 0; i < v.size(); ++i) s.v[i] = static_cast<int>(v[i]);
+  return s;
+}
+
+/// The trees of all tests here: made by the oracle's generator, then changed by a few operations.
+class Queries : public testing::TestWithParam<unsigned> {
+ protected:
+  Queries() : owner_(random_small_tree(GetParam())), tree_(*owner_->tree) {
+    for (unsigned i = 0; i < 6; ++i) {
+      const DartBuffer darts = all_darts(tree_.mesh(NodeId::root));
+      const Dart d = darts[(7 * i + GetParam()) % darts.size()];
+      (void)(i % 2 ? owner_->operations->collapse(NodeId::root, d) : owner_->operations->split(NodeId::root, d));
+    }
+  }
+  int dimension(NodeId n) const { return tree_.mesh(n).dimension(); }
+
+  std::unique_ptr<Tree> owner_;
+  const MultiMesh& tree_;
+};
+
+TEST_P(Queries, GoUpByTheVertexMap) {
+  const oracle::Tree plain_tree = oracle_tree(tree_);
+  for (std::size_t i = 1; i < plain_tree.nodes.size(); ++i) {
+    const NodeId n = tree_.nodes()[i];
+    for (const Dart d : all_darts(tree_.mesh(n))) {
+      const Dart up = tree_.to_parent(n, d);
+      ASSERT_TRUE(tree_.mesh(tree_.parent(n)).is_dart(up));
+      const auto from = leading(tree_.mesh(n), d, dimension(n));
+      const auto to = leading(tree_.mesh(tree_.parent(n)), up, dimension(n));
+      for (std::size_t v = 0; v < from.size(); ++v)
+        EXPECT_EQ(to[v], static_cast<Index>(plain_tree.nodes[i].image.at(static_cast<int>(from[v]))));
+    }
+  }
+}
+
+TEST_P(Queries, CommuteWithSwitchesInsideAFacet) {
+  for (const NodeId n : tree_.nodes().subspan(1)) {
+    const Mesh &below = tree_.mesh(n), &above = tree_.mesh(tree_.parent(n));
+    for (const Dart d : all_darts(below))
+      for (int k = 0; k < below.dimension(); ++k)
+        EXPECT_EQ(tree_.to_parent(n, below.switch_dart(d, k)), above.switch_dart(tree_.to_parent(n, d), k));
+  }
+}
+
+TEST_P(Queries, FindAllPreimagesOnceInEveryMeshBelow) {
+  const oracle::Tree plain_tree = oracle_tree(tree_);
+  for (std::size_t i = 0; i < plain_tree.nodes.size(); ++i) {
+    const NodeId above = tree_.nodes()[i];
+    for (const NodeId below : tree_.descendants(above)) {
+      const auto j = static_cast<int>(std::find(tree_.nodes().begin(), tree_.nodes().end(), below) - tree_.nodes().begin());
+      for (int k = 0; k <= dimension(above); ++k)
+        for (const Dart d : all_darts(tree_.mesh(above))) {
+          DartBuffer found{no_dart};  // results are appended
+          tree_.to_descendant(above, d, k, below, found);
+          oracle::SimplexSet got;
+          for (std::size_t f = 1; f < found.size(); ++f) {
+            got.push_back(as_simplex(leading(tree_.mesh(below), found[f], k)));
+            const Dart back = tree_.to_ancestor(below, found[f], above);
+            EXPECT_EQ(leading(tree_.mesh(above), back, k), leading(tree_.mesh(above), d, k)) << "in order";
+          }
+          const std::size_t with_repetitions = got.size();
+          oracle::normalize(got);
+          EXPECT_EQ(got.size(), with_repetitions);
+          const auto s = as_simplex(leading(tree_.mesh(above), d, k));
+          EXPECT_EQ(got, oracle::preimages(plain_tree, j, static_cast<int>(i), s));
+          EXPECT_EQ(tree_.has_preimage(above, d, k, below), !got.empty());
+        }
+    }
+  }
+}
+
+TEST_P(Queries, MapAcrossThroughTheRootOrTheLowestCommonAncestor) {
+  const Mesh& root = tree_.mesh(NodeId::root);
+  for (const NodeId from : tree_.nodes())
+    for (const NodeId to : tree_.nodes())
+      for (int k = 0; k <= std::min(dimension(from), dimension(to)); ++k)
+        for (const Dart d : simplices_of(tree_.mesh(from), k)) {
+          DartBuffer by_root, by_ancestor;
+          tree_.map(from, d, k, to, MultiMesh::Via::root, by_root);
+          tree_.map(from, d, k, to, MultiMesh::Via::lowest_common_ancestor, by_ancestor);
+          std::set<Index> all, wanted;
+          for (const Dart e : by_root) all.insert(tree_.mesh(to).simplex(e, k));
+          for (const Dart e : simplices_of(tree_.mesh(to), k)) {
+            const bool same = root.simplex(tree_.to_root(to, e), k) == root.simplex(tree_.to_root(from, d), k);
+            if (same) wanted.insert(tree_.mesh(to).simplex(e, k));
+            EXPECT_EQ(tree_.same_simplex(from, d, to, e, k), same);
+          }
+          EXPECT_EQ(all, wanted);
+          for (const Dart e : by_ancestor) EXPECT_TRUE(all.contains(tree_.mesh(to).simplex(e, k)));
+          if (from == to) {
+            ASSERT_EQ(by_ancestor.size(), 1U);
+            EXPECT_EQ(by_ancestor[0], d);
+          }
+        }
+}
+
+TEST_P(Queries, CopiesNameTheOneTheyLieOver) {
+  for (const Dart e : simplices_of(tree_.mesh(NodeId::root), 1)) {
+    Copies copies;
+    copies.collect(tree_, e, 1);
+    EXPECT_EQ(copies[0].dart, e);
+    for (std::size_t i = 1; i < copies.size(); ++i) {
+      const Copy &c = copies[i], &above = copies[c.above];
+      ASSERT_LT(c.above, i);
+      EXPECT_EQ(above.node, tree_.parent(c.node));
+      EXPECT_EQ(leading(tree_.mesh(above.node), tree_.to_parent(c.node, c.dart), 1),
+                leading(tree_.mesh(above.node), above.dart, 1));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomTrees, Queries, testing::Range(0U, 60U));
+
+TEST(Map, OfASeamEdgeHasTwoPreimages) {
+  Tree t = two_neighbors();
+  const NodeId cut = add_cut_on_edge01(t, NodeId::root);
+  DartBuffer found;
+  t.tree->to_child(cut, edge(t, NodeId::root, 0, 1), 1, found);
+  EXPECT_EQ(found.size(), 2U);
+  found.clear();
+  t.tree->to_child(cut, edge(t, NodeId::root, 0, 2), 1, found);
+  EXPECT_EQ(found.size(), 1U);
+  found.clear();
+  t.tree->to_child(cut, edge(t, NodeId::root, 0, 2), 0, found);
+  EXPECT_EQ(found.size(), 2U) << "vertex 0 lies on the seam";
+}
+
+// A grandchild's edge next to the seam: its other side is reached only through the root.
+TEST(Map, CrossesASeamThroughTheRootOnly) {
+  Tree t = two_neighbors();
+  const NodeId cut = add_cut_on_edge01(t, NodeId::root);
+  const NodeId left = add_drawn(t, cut, triangles({{0, 1, 2}}), {6, 3, 5});
+  const Dart e = edge(t, left, 1, 2);  // root edge 1-0
+  DartBuffer by_root, by_ancestor;
+  t.tree->map(left, e, 1, cut, MultiMesh::Via::root, by_root);
+  t.tree->map(left, e, 1, cut, MultiMesh::Via::lowest_common_ancestor, by_ancestor);
+  EXPECT_EQ(by_root.size(), 2U);
+  EXPECT_EQ(by_ancestor.size(), 1U);
+}
+
+TEST(Map, OfWhatIsNotCoveredIsEmpty) {
+  Tree t = two_neighbors();
+  const NodeId patch = add_drawn(t, NodeId::root, triangles({{0, 1, 2}}), {0, 2, 4});
+  DartBuffer found;
+  t.tree->to_child(patch, edge(t, NodeId::root, 3, 1), 2, found);
+  t.tree->to_child(patch, edge(t, NodeId::root, 3, 1), 1, found);
+  t.tree->to_child(patch, edge(t, NodeId::root, 3, 1), 0, found);
+  EXPECT_TRUE(found.empty());
+  EXPECT_EQ(t.tree->facet_over(patch, edge(t, NodeId::root, 3, 1)), no_index);
+}
+
+TEST(Map, FailsOnWhatIsNotInTheTree) {
+  Tree t = two_neighbors();
+  const NodeId child = add_cut_on_edge01(t, NodeId::root);
+  DartBuffer out;
+  EXPECT_THROW((void)t.tree->parent(NodeId::root), UsageError);
+  EXPECT_THROW((void)t.tree->mesh(NodeId{7}), UsageError);
+  EXPECT_THROW((void)t.tree->children(NodeId{7}), UsageError);
+  EXPECT_THROW(t.tree->map(child, no_dart, 0, NodeId::root, MultiMesh::Via::root, out), UsageError);
+  EXPECT_THROW(t.tree->map(NodeId{7}, Dart{0}, 0, child, MultiMesh::Via::root, out), UsageError);
+  EXPECT_THROW(t.tree->map(child, t.tree->mesh(child).dart_of(2, 0), 0, NodeId{7}, MultiMesh::Via::root, out),
+               UsageError);
+  EXPECT_THROW(t.tree->require_dart(NodeId::root, Dart{100000}), UsageError);
+}
+
+}  // namespace
+}  // namespace multimesh::test

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "property/oracle_tree.hpp"
+
+namespace multimesh::test {
+
+/// Operations on a tree, each of them repeated on plain vertex sets by nothing but identification and
+/// subdivision. The real tree must be the same up to the names of new vertices.
+class Shadow {
+ public:
+  Shadow(MultiMesh& tree, std::uint64_t seed);
+
+  /// A random operation, asked for on a random mesh. All functions return what differs from brute force, or
+  /// an empty string. A refused operation must have left everything as it was.
+  std::string step();
+
+  std::string split(NodeId n, Dart e);
+  std::string collapse(NodeId n, Dart e);
+  std::string swap(NodeId n, Dart e, bool natively);
+
+  /// The tree as it is.
+  const oracle::Tree& plain() const { return plain_; }
+
+  std::size_t splits = 0, collapses = 0, swaps = 0, refused = 0;
+
+ private:
+  struct Edge {
+    int a, b;
+  };
+  Dart random_dart(NodeId n);
+  Edge start(NodeId n, Dart e);
+  std::string compare(const oracle::Tree& expected, std::size_t& count);
+  std::string unchanged();
+
+  MultiMesh& tree_;
+  Propagation ops_;
+  Records records_;
+  std::mt19937_64 rng_;
+  oracle::Tree plain_;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace multimesh::test
