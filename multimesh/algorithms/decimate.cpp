@@ -68,6 +68,7 @@ class Decimator {
   CopiesStayApart copies_stay_apart_;
   NormalTurn normal_turn_;
   std::optional<TextureOrientation> texture_orientation_;
+  std::optional<SeamsStayOpen> seams_stay_open_;
   Propagation operations_;
   std::map<std::string, std::size_t> refused_;
 };
@@ -85,6 +86,7 @@ Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
                          [this](Operation, const VertexChange& c) { return quadrics_[c.a] + quadrics_[c.b]; }),
       rank_attribute_(NodeId::root, ranks_,
                       [this](Operation, const VertexChange& c) { return std::max(ranks_[c.a], ranks_[c.b]); }),
+      copies_stay_apart_(surface.source_positions()),
       normal_turn_(surface.positions(), options.max_normal_turn),
       operations_(surface.tree()) {
   operations_.add(positions_).add(rank_attribute_);
@@ -92,9 +94,10 @@ Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
   if (const auto texture = surface.texture()) {
     texcoords_.emplace(*texture, surface.texcoords());
     texture_orientation_.emplace(surface.tree(), *texture, surface.texcoords());
-    operations_.add(*texcoords_).add(*texture_orientation_);
+    seams_stay_open_.emplace(*texture, surface.texcoords());
+    operations_.add(*texcoords_).add(*texture_orientation_).add(*seams_stay_open_);
   }
-  operations_.add(normal_turn_);
+  operations_.add(normal_turn_).set(LegalityOptions{.contact = true});  // seams may not touch the boundary
   rank_vertices();
   if (options.cost == DecimateCost::quadric) {
     operations_.add(quadric_attribute_);

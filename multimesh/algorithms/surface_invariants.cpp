@@ -10,29 +10,40 @@ namespace multimesh {
 using OpenMesh::Vec2d;
 using OpenMesh::Vec3d;
 
+void CopiesStayApart::collect_labelled_neighbours(const Mesh& mesh, Dart vertex, std::vector<Index>& out) {
+  out.clear();
+  mesh.star(vertex, 0, star_);
+  for (const Dart d : star_) {
+    std::array<Index, 4> v{};
+    mesh.vertices(d, v.data());
+    for (const Index x : {v[1], v[2]})
+      if (mesh.is_locked(x) && std::find(out.begin(), out.end(), x) == out.end()) out.push_back(x);
+  }
+}
+
 bool CopiesStayApart::before(const Event& event) {
   if (event.operation != Operation::collapse) return true;
   const Mesh& mesh = event.tree.mesh(NodeId::root);
-  const Dart a = event.copies[0].dart, b = mesh.reorder(a, exchange_ends);
-  if (!mesh.is_locked(mesh.vertex(b)) && !mesh.is_locked(mesh.vertex(a))) return true;
-  const auto labelled_around = [&](Dart center) {
-    std::vector<Index> found;
-    mesh.star(center, 0, star_);
-    for (const Dart d : star_) {
-      std::array<Index, 4> v{};
-      mesh.vertices(d, v.data());
-      for (const Index x : {v[1], v[2]})
-        if (mesh.is_locked(x)) found.push_back(x);
+  Dart stays = event.copies[0].dart, goes = mesh.reorder(stays, exchange_ends);
+  if (!mesh.is_locked(mesh.vertex(stays))) std::swap(stays, goes);
+  collect_labelled_neighbours(mesh, stays, kept_);
+  collect_labelled_neighbours(mesh, goes, gained_);
+  const Index merged = mesh.vertex(stays);
+  std::erase_if(gained_, [&](Index x) {
+    return x == merged || std::find(kept_.begin(), kept_.end(), x) != kept_.end();
+  });
+  if (mesh.is_locked(merged)) {
+    if (!gained_.empty()) return false;  // an edge of two copies: another sheet may have it
+    mesh.star(goes, 0, around_);         // a vertex that has an edge with another copy of the merged one
+    for (const Dart d : around_) {
+      collect_labelled_neighbours(mesh, mesh.reorder(d, exchange_ends), other_);
+      for (const Index x : other_)
+        if (x != merged && source_[x] == source_[merged]) return false;
     }
-    std::sort(found.begin(), found.end());
-    return found;
-  };
-  // The merged vertex is labelled: its labelled neighbours must have been those of the labelled end.
-  const bool at_b = mesh.is_locked(mesh.vertex(b));
-  const auto before = labelled_around(at_b ? b : a), gained = labelled_around(at_b ? a : b);
-  const Index merged = mesh.vertex(at_b ? b : a);
-  return std::all_of(gained.begin(), gained.end(), [&](Index x) {
-    return x == merged || std::binary_search(before.begin(), before.end(), x);
+    return true;
+  }
+  return std::none_of(gained_.begin(), gained_.end(), [&](Index x) {
+    return std::any_of(kept_.begin(), kept_.end(), [&](Index y) { return source_[x] == source_[y]; });
   });
 }
 
@@ -143,6 +154,49 @@ bool TextureOrientation::keeps_signs(const Mesh& mesh, Dart end, Index other, co
     const int had = sign({texcoords_[v[0]], texcoords_[v[1]], texcoords_[v[2]]});
     const int has = sign({moved, texcoords_[v[1]], texcoords_[v[2]]});
     if (has != had && has != chart_sign_[mesh.facet(d)]) return false;
+  }
+  return true;
+}
+
+// The texture coordinates that a vertex of the texture will have.
+Vec2d SeamsStayOpen::merged(const Event& event, Index vertex) const {
+  const Mesh& mesh = event.tree.mesh(texture_);
+  for (const Copy& c : event.copies.of(texture_)) {
+    const Index a = mesh.vertex(c.dart), b = mesh.vertex(mesh.reorder(c.dart, exchange_ends));
+    if (vertex == a || vertex == b) return texcoords_[a] * (1 - event.t) + texcoords_[b] * event.t;
+  }
+  return texcoords_[vertex];
+}
+
+bool SeamsStayOpen::before(const Event& event) {
+  if (event.operation != Operation::collapse) return true;
+  const Mesh& texture = event.tree.mesh(texture_);
+  const Mesh& root = event.tree.mesh(NodeId::root);
+  const Dart a = event.copies[0].dart;
+  bool seam_at_a = false, seam_at_b = false;
+  for (const Copy& c : event.copies.of(texture_)) {
+    seam_at_a |= texture.is_boundary(c.dart, 0);
+    seam_at_b |= texture.is_boundary(texture.reorder(c.dart, exchange_ends), 0);
+  }
+  return (!seam_at_a || open_around(event, a)) &&
+         (!seam_at_b || event.t >= 1 || open_around(event, root.reorder(a, exchange_ends)));
+}
+
+bool SeamsStayOpen::open_around(const Event& event, Dart end) const {
+  const Mesh& root = event.tree.mesh(NodeId::root);
+  const Mesh& texture = event.tree.mesh(texture_);
+  const Index edge = root.simplex(event.copies[0].dart, 1);
+  root.star(end, 0, star_);
+  for (const Dart d : star_) {
+    if (root.simplex(d, 1) == edge) continue;
+    sides_.clear();
+    event.tree.to_child(texture_, d, 1, sides_);
+    if (sides_.size() != 2) continue;
+    const auto near_end = [&](Dart side) { return merged(event, texture.vertex(side)); };
+    const auto far_end = [&](Dart side) {
+      return texcoords_[texture.vertex(texture.reorder(side, exchange_ends))];
+    };
+    if (far_end(sides_[0]) == far_end(sides_[1]) && near_end(sides_[0]) == near_end(sides_[1])) return false;
   }
   return true;
 }

@@ -8,15 +8,20 @@
 
 namespace multimesh {
 
-/// Collapses may not make an edge between two labelled vertices of the root: these are copies of vertices at
-/// which the surface was cut, and another sheet may have that edge too.
+/// Keeps a surface that was cut so that its copies can be joined again without making new non-manifold edges:
+/// no two edges of different sheets may come to join the same two input vertices. Labelled vertices of the
+/// root are copies; `source` says of which input vertex.
 class CopiesStayApart final : public Invariant {
  public:
-  CopiesStayApart() : Invariant("copies stay apart") {}
+  explicit CopiesStayApart(const std::vector<Index>& source) : Invariant("copies stay apart"), source_(source) {}
   bool before(const Event& event) override;
 
  private:
-  DartBuffer star_;
+  void collect_labelled_neighbours(const Mesh& mesh, Dart vertex, std::vector<Index>& out);
+
+  const std::vector<Index>& source_;
+  DartBuffer star_, around_;
+  std::vector<Index> kept_, gained_, other_;
 };
 
 /// Collapses may not turn a triangle of the root by more than an angle, nor make one degenerate. Triangles
@@ -55,6 +60,24 @@ class TextureOrientation final : public Invariant {
   double no_area_;                    ///< twice the area below which a triangle counts as having none
   std::vector<signed char> chart_sign_;  ///< per facet
   DartBuffer star_;
+};
+
+/// Collapses may not give both sides of a seam edge the same texture coordinates: files tell vertices of the
+/// texture apart by their values, so that such a seam would be closed when the file is read again. It happens
+/// where charts touch in points: between two such points, a seam is open only at the vertices in between.
+class SeamsStayOpen final : public Invariant {
+ public:
+  SeamsStayOpen(NodeId texture, const std::vector<OpenMesh::Vec2d>& texcoords)
+      : Invariant("seams stay open"), texture_(texture), texcoords_(texcoords) {}
+  bool before(const Event& event) override;
+
+ private:
+  bool open_around(const Event& event, Dart end) const;
+  OpenMesh::Vec2d merged(const Event& event, Index vertex) const;
+
+  NodeId texture_;
+  const std::vector<OpenMesh::Vec2d>& texcoords_;
+  mutable DartBuffer star_, sides_;
 };
 
 }  // namespace multimesh

@@ -237,6 +237,7 @@ std::vector<Vec2d>& TexturedSurface::texcoords() {
 const std::vector<Vec2d>& TexturedSurface::texcoords() const {
   return data_->texcoords ? *data_->texcoords : data_->no_texcoords;
 }
+const std::vector<Index>& TexturedSurface::source_positions() const { return *data_->source_position; }
 const CutReport& TexturedSurface::cut_report() const { return data_->report; }
 
 std::size_t TexturedSurface::live_triangles() const {

@@ -60,6 +60,8 @@ class TexturedSurface {
   const std::vector<OpenMesh::Vec3d>& positions() const;
   std::vector<OpenMesh::Vec2d>& texcoords();
   const std::vector<OpenMesh::Vec2d>& texcoords() const;
+  /// Per vertex of the surface, the input position that it is (a copy of).
+  const std::vector<Index>& source_positions() const;
   std::size_t live_triangles() const;
   const CutReport& cut_report() const;
 
