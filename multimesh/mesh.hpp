@@ -120,6 +120,9 @@ class Mesh {
   virtual Mark mark() const = 0;
   virtual void rollback(Mark mark) = 0;  ///< undo everything since; exact
   virtual void forget() = 0;             ///< nothing before this call can be undone any more
+  /// Saves all properties of a k-simplex, of whatever type, so that a rollback restores them: for callbacks
+  /// that write properties which no Attribute manages.
+  virtual void protect(int k, Index s) = 0;
 
   // --- containment maps: anchors towards the parent, links towards the children; writes are journaled
   virtual void add_anchors() = 0;

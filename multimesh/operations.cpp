@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/operations.hpp"
 
+#include <algorithm>
+
+#include "multimesh/faces.hpp"
+
 namespace multimesh {
 
 void Propagation::stage() {
@@ -45,6 +49,37 @@ void Propagation::update_attributes(Operation operation) {
       if (a->node() == c.node) a->update(operation, c);
 }
 
+// All faces of the facets around the ends of each copy, and around the new ends of a flipped one, each once.
+void Propagation::protect_neighbourhoods(Operation operation) {
+  if (!protect_properties_) return;
+  for (const Copy& c : copies_.all()) {
+    Mesh& mesh = tree_.mesh(c.node);
+    const int d = mesh.dimension();
+    for (auto& list : around_) list.clear();
+    DartBuffer ends{c.dart, mesh.reorder(c.dart, exchange_ends)};
+    if (operation == Operation::flip) {
+      mesh.star(c.dart, 1, star_);
+      for (const Dart t : star_) ends.push_back(mesh.reorder(t, permutation(2, 0, 1)));
+    }
+    for (const Dart end : ends) {
+      mesh.star(end, 0, star_);
+      for (const Dart t : star_) {
+        Index v[4];
+        mesh.vertices(t, v);
+        around_[0].insert(around_[0].end(), v, v + d + 1);
+        for (int k = 1; k <= d; ++k)
+          for (const Permutation p : faces_around(d, k, -1))
+            around_[k].push_back(mesh.simplex(mesh.reorder(t, p), k));
+      }
+    }
+    for (int k = 0; k <= d; ++k) {
+      std::sort(around_[k].begin(), around_[k].end());
+      around_[k].erase(std::unique(around_[k].begin(), around_[k].end()), around_[k].end());
+      for (const Index s : around_[k]) mesh.protect(k, s);
+    }
+  }
+}
+
 Outcome Propagation::swap(NodeId n, Dart e) {
   start(n, e, 1);
   const std::size_t asked = copy_of(n, e, 1);
@@ -53,6 +88,7 @@ Outcome Propagation::swap(NodeId n, Dart e) {
   stage();
   if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
   Transaction transaction(tree_, attributes_);
+  protect_neighbourhoods(Operation::flip);
   collect_reanchored_by_flip();
   for (Copy& c : copies_.all()) {
     stage();
@@ -102,8 +138,11 @@ void Propagation::collect_reanchored_by_flip() {
 Outcome Propagation::swap_by_split_and_collapse(NodeId n, Dart e) {
   const Statistics before = statistics_;
   start(n, e, 1);
-  const Mesh& root = tree_.mesh(NodeId::root);
-  const bool interior = tree_.mesh(n).dimension() == 2 && !root.is_boundary(copies_[0].dart, 1);
+  const auto is_interior = [&](const Copy& c) {
+    return tree_.mesh(c.node).dimension() == 2 && !tree_.mesh(c.node).is_boundary(c.dart, 1);
+  };
+  const auto copies = copies_.all();
+  const bool interior = std::all_of(copies.begin(), copies.end(), is_interior);
   Outcome outcome{{Check::flip, n, {}}, no_dart, no_dart};
   if (interior) {
     Transaction transaction(tree_, attributes_);
@@ -128,6 +167,7 @@ Outcome Propagation::relocate(NodeId n, Dart v, const std::function<void(const E
   stage();
   if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
   Transaction transaction(tree_, attributes_);
+  protect_neighbourhoods(Operation::relocate);
   write(event);
   stage();
   for (const Copy& c : copies_.all()) {

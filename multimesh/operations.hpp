@@ -59,6 +59,10 @@ class Propagation {
   Propagation& add(Attribute& a) { return attributes_.push_back(&a), *this; }
   Propagation& add(Invariant& i) { return invariants_.push_back(&i), *this; }
   Propagation& set(LegalityOptions o) { return legality_options_ = o, *this; }
+  /// Whether operations save all properties, of whatever type, of the simplices around both ends of the edge
+  /// first: only needed if attributes' rules or invariants write properties that no Attribute manages, and
+  /// those must be undone too. Costs a copy of each.
+  Propagation& protect_properties(bool on) { return protect_properties_ = on, *this; }
 
   /// Splits the edge of (a, b, ...) at (1-t) a + t b. Legal always.
   /// \post every facet over the edge became two; new facets and the new edge have their old one's properties
@@ -112,6 +116,7 @@ class Propagation {
   void stage();
   Refusal ask(bool (Invariant::*when)(const Event&), const Event& event);
   void update_attributes(Operation operation);
+  void protect_neighbourhoods(Operation operation);
 
   void split_copy(std::size_t i);
   void collect_moved_by_split(const Copy& c);
@@ -142,7 +147,9 @@ class Propagation {
   DartBuffer star_;
   std::vector<Reanchored> reanchored_;
   std::vector<VertexChange> changes_;
+  std::vector<Index> around_[4];
   int stage_ = 0;
+  bool protect_properties_ = false;
 };
 
 }  // namespace multimesh

@@ -52,6 +52,7 @@ Outcome Propagation::collapse_judged(std::size_t asked, double t) {
   if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
 
   Transaction transaction(tree_, attributes_);
+  protect_neighbourhoods(Operation::collapse);
   if (collapses_.size() < copies_.size()) collapses_.resize(copies_.size());
   for (std::size_t i = copies_.size(); i-- > 0;) {
     stage();

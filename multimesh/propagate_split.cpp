@@ -14,6 +14,7 @@ Outcome Propagation::split(NodeId n, Dart e, double t) {
   if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
 
   Transaction transaction(tree_, attributes_);
+  protect_neighbourhoods(Operation::split);
   if (splits_.size() < copies_.size()) splits_.resize(copies_.size());
   for (std::size_t i = 0; i < copies_.size(); ++i) {
     stage();

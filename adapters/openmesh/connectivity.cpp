@@ -120,6 +120,46 @@ void Connectivity::copy_face_properties(int from, int to) {
     if (*p) (*p)->copy(at(from), at(to));
 }
 
+// Everything but the status, which has the deleted bit and is journaled by itself.
+void Connectivity::copy_properties(int k, std::size_t from, std::size_t to) {
+  const auto copy = [](auto begin, auto end, const OpenMesh::BaseProperty* status, std::size_t i, std::size_t j) {
+    for (auto p = begin; p != end; ++p)
+      if (*p && *p != status) (*p)->copy(i, j);
+  };
+  if (k == 0) {
+    copy(om_.vprops_begin(), om_.vprops_end(), &om_.property(om_.vertex_status_pph()), from, to);
+  } else if (k == 1) {
+    copy(om_.eprops_begin(), om_.eprops_end(), &om_.property(om_.edge_status_pph()), from, to);
+    const OpenMesh::BaseProperty* status =
+        om_.has_halfedge_status() ? &om_.property(om_.halfedge_status_pph()) : nullptr;
+    for (const std::size_t side : {0U, 1U}) copy(om_.hprops_begin(), om_.hprops_end(), status, 2 * from + side, 2 * to + side);
+  } else {
+    copy(om_.fprops_begin(), om_.fprops_end(), &om_.property(om_.face_status_pph()), from, to);
+  }
+}
+
+void Connectivity::protect(int k, Index s) {
+  const Word status_word = k == 0 ? Word::vertex_status : k == 1 ? Word::edge_status : Word::face_status;
+  log(status_word, s, status(k)[s].bits());
+  const int spare = k == 0 ? new_vertex() : k == 1 ? new_edge(-1, -1) >> 1 : new_face();
+  (*(k == 0 ? vertex_status_ : k == 1 ? edge_status_ : face_status_))[at(spare)].set_deleted(true);
+  spares_[k].push_back(spare);
+  copy_properties(k, s, at(spare));
+  log(Word::spare, s, word(spare), static_cast<LinkSet>(k));
+}
+
+void Connectivity::forget() {
+  log_.clear();
+  // Spares at the end can go; others stay, as dead elements do, until the mesh is compacted.
+  std::size_t n[3] = {om_.n_vertices(), om_.n_edges(), om_.n_faces()};
+  bool popped = false;
+  for (int k = 0; k < 3; ++k) {
+    for (; !spares_[k].empty(); spares_[k].pop_back())
+      if (at(spares_[k].back()) + 1 == n[k]) --n[k], popped = true;
+  }
+  if (popped) om_.resize(n[0], n[1], n[2]);
+}
+
 void Connectivity::rollback(Mark mark) {
   while (log_.size() > mark) {
     undo(log_.back());
@@ -159,6 +199,10 @@ void Connectivity::undo(const Entry& e) {
     case Word::vertices: pop(e.old, om_.n_edges(), om_.n_faces()); break;
     case Word::edges: pop(om_.n_vertices(), e.old, om_.n_faces()); break;
     case Word::faces: pop(om_.n_vertices(), om_.n_edges(), e.old); break;
+    case Word::spare:
+      copy_properties(e.column, e.old, e.index);
+      spares_[e.column].pop_back();
+      break;
   }
 }
 

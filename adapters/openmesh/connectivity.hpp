@@ -26,7 +26,8 @@ class Connectivity : public Mesh {
 
   Mark mark() const override { return log_.size(); }
   void rollback(Mark mark) override;
-  void forget() override { log_.clear(); }
+  void forget() override;
+  void protect(int k, Index s) override;
 
   void add_anchors() override;
   void remove_anchors() override;
@@ -83,6 +84,7 @@ class Connectivity : public Mesh {
     to, next, prev, face, out, halfedge_of, vertex_status, edge_status, face_status,
     anchor_own, anchor_parent, link,
     vertices, edges, faces,  // counts
+    spare,
   };
   struct Entry {
     Word word;
@@ -104,10 +106,14 @@ class Connectivity : public Mesh {
   }
   void log_counts();
   void undo(const Entry& e);
+  void copy_properties(int k, std::size_t from, std::size_t to);
   void refuse_double_attachment() const;
 
   std::unique_ptr<OpenMesh::PolyConnectivity> owned_;
   std::vector<Entry> log_;
+  // Dead elements that hold the protected properties of live ones: OpenMesh's property base class can copy
+  // between the elements of a mesh only.
+  std::vector<int> spares_[3];
   Status* vertex_status_ = nullptr;
   Status* edge_status_ = nullptr;
   Status* face_status_ = nullptr;

@@ -30,7 +30,7 @@ struct DecimateOptions {
   /// No face may turn its normal by more than this, per collapse, in radians.
   double max_normal_turn = 1.3;
   /// Called about every thousand collapses with the number of triangles left; may throw to abandon the run.
-  std::function<void(std::size_t faces)> progress;
+  std::function<void(std::size_t faces)> progress = {};
 };
 
 /// How often something stood in the way, by name: a Check, or the name of an invariant.

@@ -45,11 +45,13 @@ TEST(SplitSurfaces, ReplacesEveryCopyOfTheEdge) {
 
 TEST(CollapseSurfaces, RemovesTheFacetInEveryMesh) {
   ThreeChildren c;
-  ASSERT_TRUE(c.t.operations->collapse(NodeId::root, edge(c.t, NodeId::root, 3, 1), Placement::keep_b()));
+  // Vertex 1 is the end of the seam 0-1: it keeps its place.
+  ASSERT_TRUE(c.t.operations->collapse(NodeId::root, edge(c.t, NodeId::root, 1, 2)));
   expect_valid(c.t);
-  EXPECT_EQ(facets(c.t, NodeId::root), (Facets{{0, 1, 2}, {0, 2, 4}}));
+  EXPECT_EQ(facets(c.t, NodeId::root), (Facets{{0, 1, 3}, {0, 1, 4}}));
   EXPECT_EQ(facets(c.t, c.whole), facets(c.t, NodeId::root));
-  EXPECT_EQ(facets(c.t, c.patch), (Facets{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(facets(c.t, c.patch), (Facets{{0, 1, 3}}));
+  EXPECT_EQ(facets(c.t, c.cut), (Facets{{0, 1, 4}, {3, 5, 6}}));
 }
 
 // In the cut child the second triangle stands alone: it cannot lose an edge.

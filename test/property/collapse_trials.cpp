@@ -26,7 +26,8 @@ MultiMesh real(const oracle::Tree& plain, std::mt19937_64& rng) {
 /// Facets in their order, corners in theirs.
 bool identical(const oracle::Tree& s, const oracle::Tree& t) {
   for (std::size_t i = 0; i < s.nodes.size(); ++i)
-    if (s.nodes[i].mesh.facets != t.nodes[i].mesh.facets || s.nodes[i].image != t.nodes[i].image) return false;
+    if (s.nodes[i].mesh.facets != t.nodes[i].mesh.facets || s.nodes[i].image != t.nodes[i].image)
+      return false;
   return true;
 }
 
@@ -73,8 +74,8 @@ Trial CollapseTrials::attempt(Dart root_edge) {
   Copies copies;
   copies.collect(tree_, root_edge, 1);
   const Copy asked = copies[oracle::pick(rng_, copies.size())];
-  const Dart d = tree_.mesh(asked.node).reorder(
-      asked.dart, oracle::chance(rng_, 50) ? exchange_ends : Permutation{});
+  const Dart d =
+      tree_.mesh(asked.node).reorder(asked.dart, oracle::chance(rng_, 50) ? exchange_ends : Permutation{});
   records_.clear();
   Transaction undone(tree_, {});
   const CollapseVerdict verdict = ops_.judge(asked.node, d);
@@ -94,7 +95,8 @@ std::string CollapseTrials::compare(const oracle::CollapseResult& expected) cons
 
 // (P): the merged vertex keeps the index of the end that keeps its place; so a vertex that was not merged has
 // the image that it had.
-std::string CollapseTrials::misplaced(const oracle::Tree& after, const oracle::CollapseResult& expected) const {
+std::string CollapseTrials::misplaced(const oracle::Tree& after,
+                                      const oracle::CollapseResult& expected) const {
   for (std::size_t i = 1; i < after.nodes.size(); ++i) {
     const auto merged = [&](int v) {
       return std::any_of(expected.merged[i].begin(), expected.merged[i].end(),
@@ -109,8 +111,8 @@ std::string CollapseTrials::misplaced(const oracle::Tree& after, const oracle::C
 
 std::string CollapseTrials::describe(const Trial& trial) const {
   return "seed " + std::to_string(seed_) + " edge " + to_string(trial.edge) + ": " + trial.reason +
-         (trial.refusal.refused() ? "; refused by " + std::string(to_string(trial.refusal.check)) : "") + " " +
-         trial.fault;
+         (trial.refusal.refused() ? "; refused by " + std::string(to_string(trial.refusal.check)) : "") +
+         " " + trial.fault;
 }
 
 void TrialCount::add(const Trial& trial) {
@@ -135,9 +137,10 @@ std::string TrialCount::header() {
 
 std::string TrialCount::row(const std::string& name) const {
   std::array<char, 160> line{};
-  const double share = refused == 0 ? 0 : 100.0 * static_cast<double>(harmless) / static_cast<double>(refused);
-  std::snprintf(line.data(), line.size(), "%-36s %10zu %9zu %8zu %8zu %9zu %7.2f %%", name.c_str(), candidates,
-                accepted, invalid, changed, refused, share);
+  const double share =
+      refused == 0 ? 0 : 100.0 * static_cast<double>(harmless) / static_cast<double>(refused);
+  std::snprintf(line.data(), line.size(), "%-36s %10zu %9zu %8zu %8zu %9zu %7.2f %%", name.c_str(),
+                candidates, accepted, invalid, changed, refused, share);
   return line.data();
 }
 

@@ -14,12 +14,12 @@ namespace multimesh::test {
 
 /// A collapse as the library decided it and as brute force sees it.
 struct Trial {
-  oracle::Simplex edge;          ///< of the root
-  Refusal refusal;               ///< of the operation itself; not refused: it was done, compared, undone
-  bool valid = false;            ///< by identification of vertices, the result is a tree
+  oracle::Simplex edge;  ///< of the root
+  Refusal refusal;       ///< of the operation itself; not refused: it was done, compared, undone
+  bool valid = false;    ///< by identification of vertices, the result is a tree
   std::vector<oracle::SignaturePart> changed;  ///< if valid, what is not what it was
-  std::string reason;            ///< what is invalid, or what changed
-  std::string fault;             ///< a bug: the real result differs, an undo is not exact, ...
+  std::string reason;                          ///< what is invalid, or what changed
+  std::string fault;                           ///< a bug: the real result differs, an undo is not exact, ...
 
   bool accepted() const { return !refusal.refused(); }
   bool unchanged() const { return valid && changed.empty(); }

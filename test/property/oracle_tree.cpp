@@ -18,7 +18,9 @@ namespace {
 using oracle::Complex;
 using oracle::Simplex;
 
-std::size_t corners(const Complex& c) { return static_cast<std::size_t>(c.dim) + 1; }
+std::size_t corners(const Complex& c) {
+  return static_cast<std::size_t>(c.dim) + 1;
+}
 
 /// Whether the facet runs along the edge from u to v.
 bool runs_along(const std::array<int, 3>& f, int u, int v) {

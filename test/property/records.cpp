@@ -28,7 +28,9 @@ void Records::clear() {
   for (auto& l : listeners_) l->changes.clear();
 }
 
-const std::vector<VertexChange>& Records::of(std::size_t node) const { return listeners_.at(node)->changes; }
+const std::vector<VertexChange>& Records::of(std::size_t node) const {
+  return listeners_.at(node)->changes;
+}
 
 Renaming Records::names_after(const oracle::SplitResult& split) const {
   Renaming names(listeners_.size());

@@ -17,7 +17,7 @@ std::string Shadow::step() {
   if (plain_.nodes[0].mesh.facets.size() < 12) choice /= 2;
   std::string fault = choice < 30 ? split(n, d) : choice < 75 ? collapse(n, d) : swap(n, d, choice < 90);
   if (fault.empty() && steps_++ % 4 == 0) fault = query_difference(tree_, plain_);
-  if (fault.empty() && steps_ % 150 == 0) {
+  if (fault.empty() && steps_ % 40 == 0) {
     tree_.compact();
     plain_ = to_oracle(tree_);
     fault = query_difference(tree_, plain_);
@@ -40,7 +40,8 @@ Shadow::Edge Shadow::start(NodeId n, Dart e) {
   records_.clear();
   const Mesh& mesh = tree_.mesh(NodeId::root);
   const Dart root = tree_.to_root(n, e);
-  return {static_cast<int>(mesh.vertex(root)), static_cast<int>(mesh.vertex(mesh.reorder(root, exchange_ends)))};
+  return {static_cast<int>(mesh.vertex(root)),
+          static_cast<int>(mesh.vertex(mesh.reorder(root, exchange_ends)))};
 }
 
 /// Compares with what the tree should be, and goes on from there.
@@ -53,7 +54,9 @@ std::string Shadow::compare(const oracle::Tree& expected, std::size_t& count) {
   return fault;
 }
 
-std::string Shadow::unchanged() { return compare(oracle::Tree(plain_), refused); }
+std::string Shadow::unchanged() {
+  return compare(oracle::Tree(plain_), refused);
+}
 
 std::string Shadow::split(NodeId n, Dart e) {
   const auto [a, b] = start(n, e);

@@ -33,7 +33,7 @@ bool promised(Promise promise, const oracle::Tree& tree, const oracle::Signature
 
 struct Case {
   oracle::TreeKind kind;
-  bool joint;             ///< contact = true; the boundary of hosts and contacts of siblings are looked at
+  bool joint;  ///< contact = true; the boundary of hosts and contacts of siblings are looked at
   bool cut_at_contacts;
   Promise promise;
 
@@ -43,8 +43,8 @@ struct Case {
 };
 
 constexpr std::array guarded{oracle::TreeKind::kUvRootSeam, oracle::TreeKind::kUvSeam};
-constexpr std::array with_bare_seams{oracle::TreeKind::kUv, oracle::TreeKind::kUvPatch, oracle::TreeKind::kUvOfUv,
-                                     oracle::TreeKind::kCurveOfUv};
+constexpr std::array with_bare_seams{oracle::TreeKind::kUv, oracle::TreeKind::kUvPatch,
+                                     oracle::TreeKind::kUvOfUv, oracle::TreeKind::kCurveOfUv};
 
 std::vector<Case> cases() {
   const auto is_in = [](const auto& list, oracle::TreeKind k) {
@@ -53,7 +53,8 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   for (int i = 0; i < oracle::kNumberOfTreeKinds; ++i) {
     const auto k = static_cast<oracle::TreeKind>(i);
-    all.push_back({k, false, false, is_in(with_bare_seams, k) ? Promise::meshes_and_curves : Promise::everything});
+    all.push_back(
+        {k, false, false, is_in(with_bare_seams, k) ? Promise::meshes_and_curves : Promise::everything});
     all.push_back({k, true, false, is_in(guarded, k) ? Promise::everything : Promise::meshes});
   }
   for (const auto k : {oracle::TreeKind::kCurve, oracle::TreeKind::kTwoCurves})

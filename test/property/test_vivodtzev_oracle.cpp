@@ -20,8 +20,8 @@ struct Agreement {
 
   void print(const char* name) const {
     std::printf("%-36s %10s %10s %11s %15s %13s\n%-36s %10zu %10zu %11zu %15zu %13zu\n", "tags against maps",
-                "candidates", "both allow", "both refuse", "only tags allow", "only we allow", name, candidates,
-                both_allow, both_refuse, only_tags_allow, only_we_allow);
+                "candidates", "both allow", "both refuse", "only tags allow", "only we allow", name,
+                candidates, both_allow, both_refuse, only_tags_allow, only_we_allow);
     testing::Test::RecordProperty("candidates", static_cast<int>(candidates));
     testing::Test::RecordProperty("differences", static_cast<int>(only_tags_allow + only_we_allow));
     EXPECT_GT(both_allow, candidates / 10);

@@ -1,14 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a project that uses all of our libraries writes.
+// What a project that uses all of our libraries writes: core, openmesh, io and algorithms.
 #include <cstdio>
+#include <exception>
 
-#include "multimesh/error.hpp"
+#include "adapters/io/obj_reader.hpp"
+#include "adapters/openmesh/connectivity.hpp"
+#include "multimesh/algorithms/decimate.hpp"
+#include "multimesh/validate.hpp"
 #include "multimesh/version.hpp"
 
-int main() {
-  try {
-    throw multimesh::InputError(multimesh::version);
-  } catch (const multimesh::InputError& error) {
-    std::printf("multimesh %s\n", error.what());
-  }
+// Four triangles around a vertex, the texture cut open on two of the edges there.
+constexpr const char* square =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 0\n"
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt .5 .5\nvt 2 0\nvt 3 0\nvt 3 1\nvt 2.5 .5\n"
+    "f 1/1 2/2 5/5\nf 4/4 1/1 5/5\nf 2/7 3/8 5/9\nf 3/3 4/4 5/5\n";
+
+int main() try {
+  using namespace multimesh;
+  const io::PolygonSoup soup = io::parse_obj(square, "square.obj");
+  TexturedTriangles input;
+  for (const auto& p : soup.positions) input.positions.push_back({p[0], p[1], p[2]});
+  for (const auto& p : soup.texcoords) input.texcoords.push_back({p[0], p[1]});
+  for (std::size_t f = 0; f < soup.face_count(); ++f)
+    input.triangles.push_back({{{soup.face(f)[0].v, soup.face(f)[0].vt},
+                                {soup.face(f)[1].v, soup.face(f)[1].vt},
+                                {soup.face(f)[2].v, soup.face(f)[2].vt}}});
+  TexturedSurface surface(input);
+  const DecimateResult result = decimate(surface, {.faces = 1});
+  const auto& root = dynamic_cast<const openmesh::Connectivity&>(surface.tree().mesh(NodeId::root));
+  std::printf("multimesh %s: %zu faces -> %zu of %zu in OpenMesh's arrays\n", version, result.faces_before,
+              result.faces_after, root.openmesh().n_faces());
+  return validate(surface.tree()).empty() && result.faces_before == 4 ? 0 : 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }

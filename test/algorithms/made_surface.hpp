@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "multimesh/algorithms/textured_surface.hpp"
+#include "test/support/shapes.hpp"
+
+namespace multimesh::test {
+
+/// Texture coordinates as an affine function of position: (u, v) = rows[0..1] . (x, y, z, 1).
+struct AffineMap {
+  std::array<std::array<double, 4>, 2> rows;
+  OpenMesh::Vec2d operator()(const OpenMesh::Vec3d& p) const;
+};
+
+/// A surface made by code. Where `maps` is not empty, the texture coordinates of a triangle of chart c are
+/// maps[c] of its positions, and must stay so: whatever a correct decimation does to a planar part.
+struct MadeSurface {
+  std::string name;
+  TexturedTriangles input;
+  std::vector<std::size_t> chart;  ///< per triangle; no_texture: none
+  std::vector<AffineMap> maps;
+};
+
+inline constexpr std::size_t no_texture = ~std::size_t{0};
+
+/// Texture coordinates by triangle and position; a chart per triangle.
+using Unwrap = std::function<OpenMesh::Vec2d(std::size_t triangle, const OpenMesh::Vec3d& position)>;
+
+TexturedTriangles bare(const Shape& shape);
+/// One texture coordinate per corner: equal values must be found to be equal.
+void add_texture(TexturedTriangles& surface, const Unwrap& unwrap);
+/// Charts by the centroid of each triangle; maps[chart] unwraps it, no_texture leaves it bare.
+MadeSurface with_charts(std::string name, const Shape& shape,
+                        const std::function<std::size_t(const OpenMesh::Vec3d& centroid)>& chart,
+                        std::vector<AffineMap> maps);
+
+MadeSurface one_chart();        ///< a planar grid
+MadeSurface two_charts();       ///< a planar grid, one seam across it
+MadeSurface mirrored_chart();   ///< the same, one of the charts mirrored
+MadeSurface half_without();     ///< the same, one half without texture
+MadeSurface zero_area_chart();  ///< the same, one of the charts collapsed to a point
+MadeSurface touching_charts();  ///< four quadrants; two of them touch in a point of the texture
+MadeSurface slit();             ///< a planar grid, the seam ends in its interior
+MadeSurface polar_annulus();    ///< angle and radius, one seam between the two boundaries
+MadeSurface tiled_torus();      ///< the square tile; two closed seams that cross
+MadeSurface octahedron();       ///< eight flat faces, a chart each, every other one mirrored
+MadeSurface sphere_with_charts();
+MadeSurface book();           ///< three planar pages on a spine: edges with three faces
+MadeSurface pinched();        ///< two planar sheets that touch in a vertex
+MadeSurface half_reversed();  ///< two_charts, one half of the triangles turned round
+
+std::vector<MadeSurface> made_surfaces();
+
+}  // namespace multimesh::test

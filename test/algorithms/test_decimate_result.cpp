@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options of decimate() and what it says about a run.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "multimesh/algorithms/decimate.hpp"
+#include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/validate.hpp"
+#include "test/algorithms/judge.hpp"
+#include "test/algorithms/made_surface.hpp"
+
+namespace multimesh::test {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+DecimateOptions to_faces(std::size_t faces) {
+  DecimateOptions o;
+  o.faces = faces;
+  return o;
+}
+
+DecimateOptions to_error(double error, DecimateCost cost = DecimateCost::quadric) {
+  DecimateOptions o;
+  o.max_error = error;
+  o.cost = cost;
+  return o;
+}
+
+std::size_t sum(const std::vector<RefusalCount>& list) {
+  return std::accumulate(list.begin(), list.end(), std::size_t{0},
+                         [](std::size_t n, const RefusalCount& r) { return n + r.count; });
+}
+
+bool most_frequent_first(const std::vector<RefusalCount>& list) {
+  return std::is_sorted(list.begin(), list.end(),
+                        [](const auto& x, const auto& y) { return x.count > y.count; });
+}
+
+TEST(DecimateOptions, NoTargetIsRefused) {
+  TexturedSurface surface(one_chart().input);
+  EXPECT_THROW(decimate(surface, {}), InputError);
+  EXPECT_THROW(decimate(surface, to_error(std::nan(""))), InputError);
+  EXPECT_EQ(surface.live_triangles(), surface.tree().mesh(NodeId::root).capacity(2))
+      << "and nothing was done";
+}
+
+TEST(DecimateOptions, AsManyFacesAsThereAreChangesNothing) {
+  for (const MadeSurface& made : made_surfaces()) {
+    TexturedSurface surface(made.input);
+    std::vector<Index> source_before, source_after;
+    const TexturedTriangles before = surface.triangles(source_before);
+    for (const std::size_t more : {0, 1, 1000}) {
+      const DecimateResult r = decimate(surface, to_faces(before.triangles.size() + more));
+      EXPECT_EQ(r.stop, DecimateResult::Stop::faces);
+      EXPECT_EQ(r.collapsed, 0U);
+    }
+    const TexturedTriangles after = surface.triangles(source_after);
+    EXPECT_EQ(after.positions, before.positions) << made.name;
+    EXPECT_EQ(after.texcoords, before.texcoords) << made.name;
+    EXPECT_EQ(source_after, source_before) << made.name;
+  }
+}
+
+TEST(DecimateOptions, NoEdgeLongerThanTheMaximalErrorIsCollapsed) {
+  // The edges of the grid are 1 and sqrt(2) long, its diagonal 20 sqrt(2).
+  const double diagonal = 20 * std::sqrt(2.0);
+  TexturedSurface surface(one_chart().input);
+  DecimateResult r = decimate(surface, to_error(0.99 / diagonal, DecimateCost::length));
+  EXPECT_EQ(r.stop, DecimateResult::Stop::max_error);
+  EXPECT_EQ(r.collapsed, 0U);
+  r = decimate(surface, to_error(1.01 / diagonal, DecimateCost::length));
+  EXPECT_GT(r.collapsed, 0U);
+  EXPECT_LE(r.max_cost, 1.01 / diagonal);
+}
+
+TEST(DecimateOptions, MaximalErrorBoundsTheCost) {
+  std::size_t left = std::numeric_limits<std::size_t>::max();
+  for (const double error : {1e-4, 1e-3, 1e-2}) {
+    TexturedSurface surface(sphere_with_charts().input);
+    const DecimateResult r = decimate(surface, to_error(error));
+    EXPECT_LE(r.max_cost, error);
+    EXPECT_LT(r.faces_after, left) << "more error, fewer faces";
+    left = r.faces_after;
+  }
+}
+
+TEST(DecimateOptions, ErrorsAreRelativeToTheBoundingBox) {
+  MadeSurface made = sphere_with_charts();
+  TexturedSurface small(made.input);
+  for (auto& p : made.input.positions) p *= 1024;
+  TexturedSurface large(made.input);
+  const DecimateResult s = decimate(small, to_error(1e-3)), l = decimate(large, to_error(1e-3));
+  EXPECT_EQ(s.faces_after, l.faces_after);
+  EXPECT_NEAR(s.max_cost, l.max_cost, 1e-9);
+}
+
+TEST(DecimateOptions, OfTwoTargetsTheFirstThatIsMetStops) {
+  DecimateOptions o = to_faces(10);
+  o.max_error = 1e-4;
+  TexturedSurface surface(sphere_with_charts().input);
+  EXPECT_EQ(decimate(surface, o).stop, DecimateResult::Stop::max_error);
+  o = to_faces(2000);
+  o.max_error = 1;
+  TexturedSurface other(sphere_with_charts().input);
+  const DecimateResult r = decimate(other, o);
+  EXPECT_EQ(r.stop, DecimateResult::Stop::faces);
+  EXPECT_GE(r.faces_after, 1999U);
+}
+
+TEST(DecimateOptions, FlatPartsCostNothing) {
+  TexturedSurface surface(one_chart().input);
+  const DecimateResult r = decimate(surface, to_error(1e-7));
+  EXPECT_LT(r.faces_after, r.faces_before / 4) << "the inside of a planar grid has no error";
+}
+
+TEST(DecimateResult, AnExhaustedRunNamesWhatKeepsEveryEdge) {
+  TexturedSurface surface(octahedron().input);
+  const DecimateResult r = decimate(surface, to_faces(1));
+  ASSERT_EQ(r.stop, DecimateResult::Stop::exhausted);
+  EXPECT_EQ(r.faces_after, 8U) << "the octahedron itself: its corners are junctions";
+  EXPECT_EQ(sum(r.blocking), 12U);
+  EXPECT_TRUE(most_frequent_first(r.blocking));
+  EXPECT_TRUE(most_frequent_first(r.refused));
+}
+
+TEST(DecimateResult, TriedIsDoneAndRefused) {
+  for (const std::size_t faces : {1, 100, 1000}) {
+    TexturedSurface surface(sphere_with_charts().input);
+    const DecimateResult r = decimate(surface, to_faces(faces));
+    EXPECT_EQ(r.tried, r.collapsed + sum(r.refused)) << "down to " << faces;
+  }
+}
+
+TEST(DecimateResult, ASecondRunGoesOnFromTheFirst) {
+  const MadeSurface made = sphere_with_charts();
+  TexturedSurface surface(made.input);
+  const DecimateResult first = decimate(surface, to_faces(1000));
+  const DecimateResult second = decimate(surface, to_faces(100));
+  EXPECT_EQ(second.faces_before, first.faces_after);
+  EXPECT_LE(second.faces_after, 100U);
+  std::vector<Index> source;
+  const TexturedTriangles after = surface.triangles(source);
+  EXPECT_EQ(facts(after), facts(made.input));
+  EXPECT_EQ(newly_flipped(made.input, after, source), 0U);
+}
+
+TEST(DecimateResult, OneTriangleStays) {
+  TexturedTriangles in;
+  in.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  in.texcoords = {{0, 0}, {1, 0}, {0, 1}};
+  in.triangles = {{{{0, 0}, {1, 1}, {2, 2}}}};
+  TexturedSurface surface(in);
+  const DecimateResult r = decimate(surface, to_error(1e9));
+  EXPECT_EQ(r.stop, DecimateResult::Stop::exhausted);
+  EXPECT_EQ(r.faces_after, 1U);
+  EXPECT_EQ(sum(r.blocking), 3U);
+}
+
+// The area below which a triangle of the texture counts as having none may not come from another chart.
+TEST(DecimateResult, AFarChartDoesNotHideFlipsOfTheOthers) {
+  const MadeSurface made = sphere_with_charts();
+  TexturedTriangles in = made.input;
+  const auto v = static_cast<std::int32_t>(in.positions.size()),
+             vt = static_cast<std::int32_t>(in.texcoords.size());
+  for (const OpenMesh::Vec3d& p :
+       {OpenMesh::Vec3d(3, 0, 0), OpenMesh::Vec3d(4, 0, 0), OpenMesh::Vec3d(3, 1, 0)}) {
+    in.positions.push_back(p);
+    in.texcoords.push_back({1e6 * p[0], 1e6 * p[1]});
+  }
+  in.triangles.push_back({{{v, vt}, {v + 1, vt + 1}, {v + 2, vt + 2}}});
+  TexturedSurface surface(in);
+  (void)decimate(surface, to_faces(100));
+  std::vector<Index> source;
+  TexturedTriangles after = surface.triangles(source);
+  const auto far = static_cast<std::size_t>(
+      std::find(source.begin(), source.end(), made.input.triangles.size()) - source.begin());
+  after.triangles.erase(after.triangles.begin() + static_cast<std::ptrdiff_t>(far));
+  source.erase(source.begin() + static_cast<std::ptrdiff_t>(far));
+  EXPECT_EQ(newly_flipped(made.input, after, source), 0U);
+}
+
+class Progress : public ::testing::Test {
+ protected:
+  TexturedSurface surface{bare(sphere(6))};  // 32768 triangles
+};
+
+TEST_F(Progress, CountsDownToTheTarget) {
+  std::vector<std::size_t> seen;
+  DecimateOptions o = to_faces(1000);
+  o.progress = [&](std::size_t faces) { seen.push_back(faces); };
+  const DecimateResult r = decimate(surface, o);
+  EXPECT_GE(seen.size(), r.collapsed / 2048);
+  EXPECT_TRUE(std::is_sorted(seen.rbegin(), seen.rend()));
+  ASSERT_FALSE(seen.empty());
+  EXPECT_LT(seen.front(), r.faces_before);
+  EXPECT_GE(seen.back(), r.faces_after);
+}
+
+TEST_F(Progress, AnExceptionAbandonsTheRunAndLeavesAValidTree) {
+  DecimateOptions o = to_faces(1000);
+  std::size_t last = 0;
+  o.progress = [&](std::size_t faces) {
+    last = faces;
+    if (faces < 20000) throw std::runtime_error("enough");
+  };
+  EXPECT_THROW(decimate(surface, o), std::runtime_error);
+  EXPECT_EQ(validate(surface.tree()), std::vector<std::string>());
+  EXPECT_EQ(surface.live_triangles(), last);
+  EXPECT_EQ(report(surface.tree().mesh(NodeId::root)).euler_characteristic, 2);
+  const DecimateResult r = decimate(surface, to_faces(1000));
+  EXPECT_EQ(r.stop, DecimateResult::Stop::faces) << "and the run can be taken up again";
+}
+
+}  // namespace
+}  // namespace multimesh::test

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Spot, a real textured model: seams, junctions and charts after decimation.
+#include <gtest/gtest.h>
+
+#include "adapters/io/obj_reader.hpp"
+#include "adapters/io/triangulate.hpp"
+#include "multimesh/algorithms/decimate.hpp"
+#include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/validate.hpp"
+#include "test/algorithms/judge.hpp"
+
+namespace multimesh::test {
+namespace {
+
+const TexturedTriangles& spot() {
+  static const TexturedTriangles surface = [] {
+    const io::PolygonSoup soup = io::read_obj(MULTIMESH_EXAMPLE_DATA "/spot/spot.obj");
+    TexturedTriangles s;
+    for (const auto& p : soup.positions) s.positions.push_back({p[0], p[1], p[2]});
+    for (const auto& p : soup.texcoords) s.texcoords.push_back({p[0], p[1]});
+    for (const auto& t : io::triangulate(soup).triangles)
+      s.triangles.push_back({{{t[0].v, t[0].vt}, {t[1].v, t[1].vt}, {t[2].v, t[2].vt}}});
+    return s;
+  }();
+  return surface;
+}
+
+class DecimateSpot : public ::testing::TestWithParam<DecimateCost> {
+ protected:
+  /// Decimates to a share of the faces and expects all that must hold.
+  void run(double ratio) {
+    TexturedSurface surface(spot());
+    DecimateOptions options;
+    options.cost = GetParam();
+    options.faces = static_cast<std::size_t>(ratio * static_cast<double>(spot().triangles.size()));
+    const DecimateResult r = decimate(surface, options);
+    EXPECT_EQ(r.stop, DecimateResult::Stop::faces) << r.faces_after << " faces left";
+    EXPECT_LE(r.faces_after, options.faces);
+    EXPECT_EQ(validate(surface.tree()), std::vector<std::string>());
+    std::vector<Index> source;
+    const TexturedTriangles after = surface.triangles(source);
+    EXPECT_EQ(after.triangles.size(), r.faces_after);
+    EXPECT_EQ(facts(after), facts(spot()));
+    EXPECT_EQ(newly_flipped(spot(), after, source), 0U);
+  }
+};
+
+TEST_P(DecimateSpot, KeepsSeamGraphAtFiftyPercent) {
+  run(0.5);
+}
+TEST_P(DecimateSpot, KeepsSeamGraphAtTenPercent) {
+  run(0.1);
+}
+TEST_P(DecimateSpot, KeepsSeamGraphAtTwoPercent) {
+  run(0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cost, DecimateSpot, ::testing::Values(DecimateCost::quadric, DecimateCost::length),
+                         [](const auto& p) {
+                           return p.param == DecimateCost::length ? "Length" : "Quadric";
+                         });
+
+TEST(DecimateSpot, TheJudgeSeesWhatIsKnownOfSpot) {
+  const Facts f = facts(spot());
+  EXPECT_EQ(f.surface.components, 1);
+  EXPECT_EQ(f.surface.euler, 2);
+  EXPECT_EQ(f.surface.boundary, 0);
+  EXPECT_EQ(f.texture.components, 13);
+  EXPECT_EQ(f.seams.junctions, 18);
+}
+
+}  // namespace
+}  // namespace multimesh::test

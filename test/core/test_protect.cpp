@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "adapters/openmesh/triangle_mesh.hpp"
+#include "multimesh/operations.hpp"
+#include "multimesh/validate.hpp"
+#include "test/support/shapes.hpp"
+#include "test/support/trees.hpp"
+
+namespace multimesh::test {
+namespace {
+
+/// A value that no journal of ours knows.
+struct Label {
+  std::string text;
+  std::vector<int> numbers;
+};
+
+using Labels = std::vector<Label>;
+
+class ProtectedProperties : public testing::Test {
+ protected:
+  ProtectedProperties() : tree(grid(4, 4)) {
+    auto& om = dynamic_cast<openmesh::Connectivity&>(tree.tree->mesh(NodeId::root)).openmesh();
+    om.add_property(of_vertices, "label");
+    om.add_property(of_faces, "label");
+    om.add_property(of_edges, "label");
+    om.add_property(of_halfedges, "label");
+    fill(om.property(of_vertices).data_vector(), "v");
+    fill(om.property(of_faces).data_vector(), "f");
+    fill(om.property(of_edges).data_vector(), "e");
+    fill(om.property(of_halfedges).data_vector(), "h");
+    this->om = &om;
+  }
+  static void fill(Labels& labels, const char* kind) {
+    for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = {kind + std::to_string(i), {int(i)}};
+  }
+  /// All labels, in one text.
+  std::string labels() const {
+    std::string all;
+    for (const Labels* list : {&om->property(of_vertices).data_vector(), &om->property(of_faces).data_vector(),
+                               &om->property(of_edges).data_vector(), &om->property(of_halfedges).data_vector()})
+      for (const Label& l : *list) all += l.text + ":" + std::to_string(l.numbers.empty() ? -1 : l.numbers[0]) + " ";
+    return all;
+  }
+  /// Overwrites every label around a vertex: what a user's rule might do.
+  void scribble(const Event& event) {
+    const Mesh& mesh = event.tree.mesh(NodeId::root);
+    DartBuffer star;
+    mesh.star(event.copies[0].dart, 0, star);
+    for (const Dart d : star) {
+      om->property(of_vertices).data_vector()[mesh.vertex(d)].text = "changed";
+      om->property(of_faces).data_vector()[mesh.facet(d)] = {"changed", {}};
+      om->property(of_edges).data_vector()[mesh.simplex(d, 1)].numbers.clear();
+      om->property(of_halfedges).data_vector()[2 * mesh.simplex(d, 1)].text = "changed";
+    }
+  }
+
+  Tree tree;
+  OpenMesh::PolyConnectivity* om = nullptr;
+  OpenMesh::VPropHandleT<Label> of_vertices;
+  OpenMesh::FPropHandleT<Label> of_faces;
+  OpenMesh::EPropHandleT<Label> of_edges;
+  OpenMesh::HPropHandleT<Label> of_halfedges;
+};
+
+TEST_F(ProtectedProperties, AreRestoredWhenAnInvariantFailsAfterTheyWereWritten) {
+  FunctionInvariant scribbling("scribbling", {}, [&](const Event& e) { return scribble(e), false; });
+  tree.operations->add(scribbling).protect_properties(true);
+  const std::string before = labels();
+  const Mesh& mesh = tree.tree->mesh(NodeId::root);
+  for (Index e = 0; e < mesh.capacity(1); ++e) {
+    ASSERT_FALSE(tree.operations->collapse(NodeId::root, mesh.dart_of(1, e)));
+    ASSERT_EQ(labels(), before) << "collapse of edge " << e;
+    ASSERT_FALSE(tree.operations->split(NodeId::root, mesh.dart_of(1, e)));
+    ASSERT_EQ(labels(), before) << "split of edge " << e;
+    ASSERT_FALSE(tree.operations->swap(NodeId::root, mesh.dart_of(1, e)));
+    ASSERT_EQ(labels(), before) << "swap of edge " << e;
+  }
+}
+
+TEST_F(ProtectedProperties, AreRestoredThroughNestedTransactions) {
+  FunctionInvariant scribbling("scribbling", {}, [&](const Event& e) { return scribble(e), true; });
+  tree.operations->add(scribbling).protect_properties(true);
+  const std::string before = labels();
+  const Mesh& mesh = tree.tree->mesh(NodeId::root);
+  const Index edges = mesh.capacity(1), faces = mesh.capacity(2);
+  {
+    const Transaction outer(*tree.tree, {});
+    for (Index e = 0; e < edges; e += 3) {
+      if (mesh.is_live(1, e)) (void)tree.operations->split(NodeId::root, mesh.dart_of(1, e));
+      if (mesh.is_live(1, e + 1)) (void)tree.operations->collapse(NodeId::root, mesh.dart_of(1, e + 1));
+    }
+    EXPECT_NE(labels(), before);
+    EXPECT_EQ(validate(*tree.tree), std::vector<std::string>());
+  }
+  EXPECT_EQ(labels(), before);
+  EXPECT_EQ(mesh.capacity(1), edges);
+  EXPECT_EQ(mesh.capacity(2), faces);
+}
+
+TEST_F(ProtectedProperties, CostNoElementsOnceCommitted) {
+  tree.operations->protect_properties(true);
+  const Mesh& mesh = tree.tree->mesh(NodeId::root);
+  const Index vertices = mesh.capacity(0), edges = mesh.capacity(1), faces = mesh.capacity(2);
+  ASSERT_TRUE(tree.operations->collapse(NodeId::root, mesh.dart_of(1, edges / 2)));
+  EXPECT_EQ(mesh.capacity(0), vertices);
+  EXPECT_EQ(mesh.capacity(1), edges);
+  EXPECT_EQ(mesh.capacity(2), faces);
+  EXPECT_EQ(validate(*tree.tree), std::vector<std::string>());
+}
+
+}  // namespace
+}  // namespace multimesh::test
