@@ -13,17 +13,20 @@ namespace multimesh {
 /// rolled back. Ask before, on the predicted star, where that is possible: it is cheaper.
 class Invariant {
  public:
-  explicit Invariant(std::string name) : name_(std::move(name)) {}
+  /// `node`: the mesh that it is about, as refusals name it.
+  explicit Invariant(std::string name, NodeId node = NodeId::root) : name_(std::move(name)), node_(node) {}
   virtual ~Invariant() = default;
   Invariant(const Invariant&) = delete;
   Invariant& operator=(const Invariant&) = delete;
 
   const std::string& name() const noexcept { return name_; }
+  NodeId node() const noexcept { return node_; }
   virtual bool before(const Event&) { return true; }
   virtual bool after(const Event&) { return true; }
 
  private:
   std::string name_;
+  NodeId node_;
 };
 
 /// An invariant made of functions, for short algorithms and tests.

@@ -39,7 +39,7 @@ Outcome Propagation::succeed(Dart dart, Dart root) {
 
 Refusal Propagation::ask(bool (Invariant::*when)(const Event&), const Event& event) {
   for (Invariant* i : invariants_)
-    if (!(i->*when)(event)) return {Check::invariant, NodeId::root, i->name()};
+    if (!(i->*when)(event)) return {Check::invariant, i->node(), i->name()};
   return {};
 }
 

@@ -90,6 +90,9 @@ class Propagation {
   /// Only the judgement on a collapse; nothing is changed. Invariants are not asked.
   CollapseVerdict judge(NodeId n, Dart e);
 
+  /// A scope around several operations, which undoes them all, attributes included, unless it is committed.
+  [[nodiscard]] Transaction transaction() { return Transaction(tree_, attributes_); }
+
   const MultiMesh& tree() const noexcept { return tree_; }
   const Statistics& statistics() const noexcept { return statistics_; }
   /// Of the last operation: the vertex copies (collapse: the merged ones), the edge copies (split).

@@ -10,7 +10,8 @@ namespace multimesh {
 /// A scope in which everything done to the meshes, maps and attributes can be undone exactly: handles,
 /// status bits, properties and element counts included. Undone when the scope ends without commit(), also
 /// by an exception. Scopes nest; what an inner one committed, an outer one can still undo. Cost of undoing:
-/// that of what was done.
+/// that of what was done. `attributes` must be all those that are written inside, by operations or otherwise;
+/// Propagation::transaction() gives its own.
 class Transaction {
  public:
   Transaction(MultiMesh& tree, std::span<Attribute* const> attributes);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -71,14 +72,28 @@ void write_report(const DecimateArguments& a, const DecimateOptions& o, const De
   j["seconds"] = seconds;
   j["warnings"] = warnings;
   io::AtomicFile file(a.report);
-  file.write(j.dump(2) + '\n');
+  file.write(to_text(j));
   file.commit();
+}
+
+/// What can be known to go wrong before the work is done. \throw InputError
+void check_paths(const DecimateArguments& a) {
+  namespace fs = std::filesystem;
+  (void)io::checked_output_path(a.output);
+  const std::string extension = fs::path(a.output).extension().string();
+  if (extension != ".obj" && extension != ".OBJ")
+    throw InputError(a.output + ": only OBJ files are written; give a name that ends in .obj");
+  if (a.report.empty()) return;
+  (void)io::checked_output_path(a.report);
+  const fs::path report = fs::weakly_canonical(a.report);
+  for (const std::string& mesh : {a.input, a.output})
+    if (report == fs::weakly_canonical(mesh))
+      throw InputError(a.report + ": the report would replace the mesh " + mesh + "; choose another name");
 }
 
 void run(const DecimateArguments& a) {
   const auto start = std::chrono::steady_clock::now();
-  (void)io::checked_output_path(a.output);
-  if (!a.report.empty()) (void)io::checked_output_path(a.report);
+  check_paths(a);
   SurfaceFile file = read_surface(a.input);
   TexturedSurface surface(file.input);
   const Json before = to_json(surface);
@@ -103,6 +118,15 @@ void run(const DecimateArguments& a) {
   }
 }
 
+/// A number for which `holds`; else the message says what it must be.
+CLI::Validator number(bool (*holds)(double), const std::string& must_be, const std::string& type) {
+  const auto check = [=](std::string& s) {
+    double x = 0;
+    return CLI::detail::lexical_cast(s, x) && holds(x) ? std::string() : "must be " + must_be;
+  };
+  return CLI::Validator(check, type);
+}
+
 }  // namespace
 
 void add_decimate_command(CLI::App& app, int& exit_code) {
@@ -112,16 +136,13 @@ void add_decimate_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", a->output, "OBJ file to write")->required();
   auto* targets = command->add_option_group("target", "exactly one");
   a->ratio_given = targets->add_option("--ratio", a->ratio, "share of the faces to keep, in (0, 1]")
-                       ->check(CLI::Validator([](std::string& s) {
-                         double r = 0;
-                         return CLI::detail::lexical_cast(s, r) && r > 0 && r <= 1 ? std::string()
-                                                                                   : "must be in (0, 1], for instance 0.1";
-                       }, "R"));
-  a->faces_given = targets->add_option("--faces", a->faces, "number of faces to keep")->check(CLI::PositiveNumber);
+                       ->check(number([](double r) { return r > 0 && r <= 1; }, "in (0, 1], for instance 0.1", "R"));
+  a->faces_given = targets->add_option("--faces", a->faces, "number of faces to keep")
+                       ->check(number([](double n) { return n >= 1; }, "a whole number above 0", "N"));
   a->error_given =
       targets->add_option("--max-error", a->max_error,
                           "largest cost of a collapse, relative to the diagonal of the bounding box (0.001 = 0.1%)")
-          ->check(CLI::PositiveNumber);
+          ->check(number([](double e) { return e > 0 && std::isfinite(e); }, "above 0, for instance 0.001", "E"));
   targets->require_option(1);
   command->add_option("--cost", a->cost, "what is collapsed first: quadric (distance to the planes merged so far) or "
                                          "length (shortest edge)")

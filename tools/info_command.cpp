@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 
+#include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #include "tools/surface_file.hpp"
 #include "tools/surface_json.hpp"
@@ -104,10 +105,11 @@ void add_info_command(CLI::App& app, int& exit_code) {
     const TexturedSurface surface(file.input);
     const Json j = describe(file, surface);
     if (arguments->json) {
-      std::cout << j.dump(2) << '\n';
+      std::cout << to_text(j);
     } else {
       print(j);
     }
+    if (!std::cout.flush()) throw InputError("standard output: writing failed");
     exit_code = done;
   });
 }

@@ -14,4 +14,7 @@ using Json = nlohmann::ordered_json;
 Json to_json(const TexturedSurface& surface);
 Json to_json(const MeshReport& mesh);
 
+/// Indented. File and material names need not be UTF-8: what is not becomes U+FFFD.
+std::string to_text(const Json& j);
+
 }  // namespace multimesh::tools

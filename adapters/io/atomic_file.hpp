@@ -39,7 +39,7 @@ class AtomicFile {
 
 /// SIGINT, SIGTERM and SIGHUP then remove the temporary files of all pending AtomicFiles, and end the process
 /// as they would have without this. For programs, once at the start of main; the library never calls it.
-/// Signals that are ignored stay ignored.
+/// Signals that are ignored stay ignored. SIGXFSZ is ignored, so that a write beyond a limit is an error.
 void install_signal_cleanup();
 
 }  // namespace multimesh::io

@@ -18,6 +18,7 @@ fs::path checked_output_path(const fs::path& path) {
   if (fs::exists(status) && !fs::is_regular_file(status))
     fail_file(name, "the output is not a regular file; give the path of a file");
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+  if (target.empty()) fail_file(name, "the link cannot be followed: " + error.message());
   const fs::path directory = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::exists(directory, error))
     fail_file(name, "the directory " + directory.string() + " does not exist; create it first");

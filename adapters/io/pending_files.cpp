@@ -54,6 +54,7 @@ void remove_pending() noexcept {
 }
 
 void install_signal_cleanup() {
+  ::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit fails then, with a message
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old {};
     if (::sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;

@@ -240,7 +240,10 @@ DecimateResult Decimator::run() {
   result_.faces_before = faces_;
   PriorityScheduler scheduler(operations_);
   std::vector<RefusalCount> blocking;
-  if (scheduler.run(*this) == PriorityScheduler::Stop::exhausted) {
+  const PriorityScheduler::Stop stop = scheduler.run(*this);
+  result_.tried = operations_.statistics().tried;
+  result_.collapsed = operations_.statistics().done;
+  if (stop == PriorityScheduler::Stop::exhausted) {
     result_.stop = options_.faces > 0 && faces_ <= options_.faces ? DecimateResult::Stop::faces
                                                                   : DecimateResult::Stop::exhausted;
     // The last pass asked every edge that is left and changed nothing.
@@ -252,8 +255,6 @@ DecimateResult Decimator::run() {
     if (result_.stop == DecimateResult::Stop::exhausted) result_.blocking = by_frequency(counts);
   }
   result_.faces_after = faces_;
-  result_.tried = operations_.statistics().tried;
-  result_.collapsed = operations_.statistics().done;
   result_.refused = by_frequency(refused_);
   result_.max_cost /= diagonal_ > 0 ? diagonal_ : 1;
   return std::move(result_);

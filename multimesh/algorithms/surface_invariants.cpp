@@ -95,7 +95,7 @@ double bounding_box_diagonal(const std::vector<Vec2d>& points) {
 }  // namespace
 
 TextureOrientation::TextureOrientation(const MultiMesh& tree, NodeId texture, const std::vector<Vec2d>& texcoords)
-    : Invariant("texture orientation"), texture_(texture), texcoords_(texcoords) {
+    : Invariant("texture orientation", texture), texture_(texture), texcoords_(texcoords) {
   const double diagonal = bounding_box_diagonal(texcoords);
   no_area_ = 1e-11 * diagonal * diagonal;
   orient_charts(tree.mesh(texture));

@@ -68,7 +68,7 @@ class TextureOrientation final : public Invariant {
 class SeamsStayOpen final : public Invariant {
  public:
   SeamsStayOpen(NodeId texture, const std::vector<OpenMesh::Vec2d>& texcoords)
-      : Invariant("seams stay open"), texture_(texture), texcoords_(texcoords) {}
+      : Invariant("seams stay open", texture), texture_(texture), texcoords_(texcoords) {}
   bool before(const Event& event) override;
 
  private:

@@ -206,6 +206,18 @@ MadeSurface pinched() {
   return with_charts("Pinched", s, [](const Vec3d& p) { return p[0] < 0 ? 1U : 0U; }, {plain, shifted});
 }
 
+MadeSurface self_touching() {
+  MadeSurface m{"SelfTouching", bare(grid(side, side)), {}, {}};
+  m.chart.assign(m.input.triangles.size(), 0);
+  add_texture(m.input, [](std::size_t, const Vec3d& p) { return Vec2d(p[0], p[1]) / side; });
+  const std::int32_t here = 7, there = 13;  // both on the boundary x = 0
+  for (auto& t : m.input.triangles)
+    for (auto& c : t)
+      if (c.position == there) c.position = here;
+  m.input.positions[here] = Vec3d(0, side / 2.0, 1);
+  return m;
+}
+
 MadeSurface half_reversed() {
   MadeSurface m = two_charts();
   m.name = "HalfReversed";
@@ -215,9 +227,9 @@ MadeSurface half_reversed() {
 }
 
 std::vector<MadeSurface> made_surfaces() {
-  return {one_chart(),          two_charts(), mirrored_chart(), half_without(), zero_area_chart(),
-          touching_charts(),    slit(),       polar_annulus(),  tiled_torus(),  octahedron(),
-          sphere_with_charts(), book(),       pinched(),        half_reversed()};
+  return {one_chart(),          two_charts(), mirrored_chart(), half_without(),  zero_area_chart(),
+          touching_charts(),    slit(),       polar_annulus(),  tiled_torus(),   octahedron(),
+          sphere_with_charts(), book(),       pinched(),        self_touching(), half_reversed()};
 }
 
 }  // namespace multimesh::test

@@ -52,6 +52,7 @@ MadeSurface octahedron();       ///< eight flat faces, a chart each, every other
 MadeSurface sphere_with_charts();
 MadeSurface book();           ///< three planar pages on a spine: edges with three faces
 MadeSurface pinched();        ///< two planar sheets that touch in a vertex
+MadeSurface self_touching();  ///< a sheet with two vertices of its boundary joined in one point
 MadeSurface half_reversed();  ///< two_charts, one half of the triangles turned round
 
 std::vector<MadeSurface> made_surfaces();

@@ -39,7 +39,7 @@ NodeId Tree::add(NodeId id) {
   if (id == NodeId::root) return id;
   const Mesh& mesh = tree->mesh(id);
   for (Index v = 0; v < mesh.capacity(0); ++v)
-    values[v] = points(NodeId::root)[tree->mesh(NodeId::root).vertex(tree->to_root(id, mesh.dart_of(0, v)))];
+    if (mesh.dart_of(0, v) != no_dart) values[v] = points(NodeId::root)[tree->mesh(NodeId::root).vertex(tree->to_root(id, mesh.dart_of(0, v)))];
   return id;
 }
 

@@ -67,7 +67,8 @@ TEST_F(Interrupted, KilledWhileItWritesThereIsNoPartialOutput) {
   await_temporary();
   ::kill(p, SIGKILL);
   (void)wait(p);
-  if (content("out.obj") != "older\n") EXPECT_EQ(info("out.obj")["contents"]["faces"], 180000);
+  if (content("out.obj") == "older\n") return;
+  EXPECT_EQ(info("out.obj")["contents"]["faces"], 180000) << "renamed: then it is complete";
 }
 
 TEST_F(Interrupted, IgnoredSignalsStayIgnored) {

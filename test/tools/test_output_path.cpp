@@ -146,7 +146,8 @@ TEST_F(OutputPath, FullDisk) {
       ::signal(SIGXFSZ, action);
     };
   };
-  const Arguments arguments{"decimate", spot(), "-o", "out.obj", "--ratio", "0.5"};
+  file("in.obj", grid_obj(40));
+  const Arguments arguments{"decimate", "in.obj", "-o", "out.obj", "--ratio", "0.5"};
   expect_refused(arguments, "out.obj", "", with_signal(SIG_IGN));
   (void)run(arguments, with_signal(SIG_DFL));  // as `ulimit -f` in a shell
   EXPECT_EQ(names(), std::vector<std::string>{"in.obj"}) << "neither output nor temporary";

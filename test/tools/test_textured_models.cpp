@@ -2,6 +2,7 @@
 // The textured models of the shared data, decimated to 50% and 10%, or as far as topology allows.
 #include <algorithm>
 #include <cstdlib>
+#include <ostream>
 
 #include "program.hpp"
 
@@ -12,6 +13,10 @@ struct Model {
   fs::path path;
   std::string name;
 };
+
+[[maybe_unused]] void PrintTo(const Model& m, std::ostream* out) {
+  *out << m.path;
+}
 
 std::vector<Model> models() {
   std::vector<Model> all;
