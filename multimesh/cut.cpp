@@ -26,15 +26,18 @@ class UnionFind {
   std::vector<Index> parent_;
 };
 
-/// One side of a facet with its vertices sorted. In a triangle, side i joins corners i and i+1.
+/// One side of a facet. In a triangle, side i joins corners i and i+1.
 struct Side {
-  std::array<Index, 2> key;
+  std::uint64_t key;  // as key_of gives it
   Index facet;
   std::uint8_t corner;
   friend bool operator<(const Side& x, const Side& y) {
     return x.key != y.key ? x.key < y.key : x.facet < y.facet;
   }
 };
+
+/// Two vertices in any order, as one word: comparing arrays calls memcmp.
+std::uint64_t key_of(Index v, Index w) { return std::uint64_t{std::min(v, w)} << 32 | std::max(v, w); }
 
 class Cutter {
  public:
@@ -114,7 +117,7 @@ class Cutter {
       if (!alone_[f])
         for (std::uint8_t i = 0; i < 3; ++i) {
           const Index v = vertex(f, i), w = vertex(f, i + 1U);
-          sides.push_back({{std::min(v, w), std::max(v, w)}, f, i});
+          sides.push_back({key_of(v, w), f, i});
         }
     std::sort(sides.begin(), sides.end());
     across_.assign(in_.corners.size(), {});
@@ -171,7 +174,7 @@ class Cutter {
       for (std::uint8_t i = 0; i < 3; ++i) {
         const Index v = classes_.find(corner(f, i)), w = classes_.find(corner(f, i + 1U));
         const bool forward = (v < w) != reversed_[f];
-        sides.push_back({{std::min(v, w), std::max(v, w)}, f, static_cast<std::uint8_t>(forward)});
+        sides.push_back({key_of(v, w), f, static_cast<std::uint8_t>(forward)});
       }
     std::sort(sides.begin(), sides.end());
     for (std::size_t i = 0, j; i < sides.size(); i = j) {

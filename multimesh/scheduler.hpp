@@ -32,8 +32,7 @@ class PriorityScheduler {
     queue_.reserve(root.capacity(1));
     for (Index e = 0; e < root.capacity(1); ++e)
       if (root.is_live(1, e))
-        if (const auto cost = policy.cost(root.dart_of(1, e))) queue_.push_unordered(e, *cost);
-    queue_.heapify();
+        if (const auto cost = policy.cost(root.dart_of(1, e))) queue_.push(e, *cost);
     for (;;) {
       const std::size_t done = operations_;
       if (pass(policy) == Stop::finished) return Stop::finished;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 #include "adapters/io/atomic_file.hpp"
 #include "adapters/io/output_path.hpp"
@@ -85,9 +86,10 @@ void check_paths(const DecimateArguments& a) {
     throw InputError(a.output + ": only OBJ files are written; give a name that ends in .obj");
   if (a.report.empty()) return;
   (void)io::checked_output_path(a.report);
-  const fs::path report = fs::weakly_canonical(a.report);
+  std::error_code error;  // of a path that does not exist: it is no mesh then
+  const fs::path report = fs::weakly_canonical(a.report, error);
   for (const std::string& mesh : {a.input, a.output})
-    if (report == fs::weakly_canonical(mesh))
+    if (report == fs::weakly_canonical(mesh, error))
       throw InputError(a.report + ": the report would replace the mesh " + mesh + "; choose another name");
 }
 

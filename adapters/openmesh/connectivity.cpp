@@ -150,6 +150,7 @@ void Connectivity::protect(int k, Index s) {
 
 void Connectivity::forget() {
   log_.clear();
+  if (spares_[0].empty() && spares_[1].empty() && spares_[2].empty()) return;
   // Spares at the end can go; others stay, as dead elements do, until the mesh is compacted.
   std::size_t n[3] = {om_.n_vertices(), om_.n_edges(), om_.n_faces()};
   bool popped = false;

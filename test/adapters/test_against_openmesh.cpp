@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Our local operations give what OpenMesh's own give: the same handles survive, joined in the same way.
-#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <gtest/gtest.h>
 
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <algorithm>
 #include <random>
 
@@ -20,7 +20,8 @@ using OpenMesh::VertexHandle;
 
 TriConnectivity connectivity(const FacetList& list) {
   TriConnectivity om;
-  om.request_vertex_status(), om.request_edge_status(), om.request_halfedge_status(), om.request_face_status();
+  om.request_vertex_status(), om.request_edge_status(), om.request_halfedge_status(),
+      om.request_face_status();
   om.resize(list.vertices, 0, 0);
   for (std::size_t f = 0; f < list.size(); ++f) {
     std::vector<VertexHandle> corners;
@@ -39,7 +40,8 @@ std::vector<std::array<int, 5>> joined(const TriConnectivity& om) {
     if (!om.status(f).deleted()) all.push_back({2, f.idx(), 0, 0, 0});
   for (const auto h : om.all_halfedges())
     if (!om.status(om.edge_handle(h)).deleted())
-      all.push_back({1, h.idx(), om.to_vertex_handle(h).idx(), om.face_handle(h).idx(), om.next_halfedge_handle(h).idx()});
+      all.push_back({1, h.idx(), om.to_vertex_handle(h).idx(), om.face_handle(h).idx(),
+                     om.next_halfedge_handle(h).idx()});
   return all;
 }
 
@@ -62,7 +64,8 @@ template <class Test>
 void on_random_surfaces(const Test& test) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     std::mt19937_64 random(seed);
-    const auto list = oriented(oracle::random_surface(static_cast<oracle::Surface>(seed % 5), 4 + seed % 20, random));
+    const auto list =
+        oriented(oracle::random_surface(static_cast<oracle::Surface>(seed % 5), 4 + seed % 20, random));
     SCOPED_TRACE("seed " + std::to_string(seed));
     const TriConnectivity pristine = connectivity(*list);
     TriConnectivity ours = pristine;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A user's own mesh, with traits and properties, becomes part of a tree in place, and is given back.
+#include <gtest/gtest.h>
+
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <gtest/gtest.h>
 
 #include "adapters/openmesh/make_mesh.hpp"
 #include "adapters/openmesh/triangle_mesh.hpp"
@@ -34,7 +35,8 @@ class AttachInPlace : public testing::Test {
 
   AttachInPlace() {
     const Shape s = grid(4, 4);
-    for (const auto& p : s.points) user_.add_vertex(typename UserMesh::Point(Scalar(p[0]), Scalar(p[1]), Scalar(p[2])));
+    for (const auto& p : s.points)
+      user_.add_vertex(typename UserMesh::Point(Scalar(p[0]), Scalar(p[1]), Scalar(p[2])));
     for (std::size_t f = 0; f < s.facets.size(); ++f) {
       std::vector<typename UserMesh::VertexHandle> corners;
       for (const Index v : s.facets.facet(f)) corners.emplace_back(static_cast<int>(v));
@@ -46,7 +48,8 @@ class AttachInPlace : public testing::Test {
   }
   Points& points() { return user_.property(user_.points_pph()).data_vector(); }
   Dart edge(const Mesh& mesh, int a, int b) {
-    const auto h = user_.find_halfedge(user_.vertex_handle(static_cast<unsigned>(a)), user_.vertex_handle(static_cast<unsigned>(b)));
+    const auto h = user_.find_halfedge(user_.vertex_handle(static_cast<unsigned>(a)),
+                                       user_.vertex_handle(static_cast<unsigned>(b)));
     return dynamic_cast<const openmesh::TriangleMesh&>(mesh).edge_dart(h);
   }
   std::size_t our_properties() const {
@@ -65,8 +68,10 @@ class AttachInPlace : public testing::Test {
   OpenMesh::FPropHandleT<std::string> label_;
 };
 
-using UserMeshes = testing::Types<OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>, OpenMesh::TriMesh_ArrayKernelT<FloatTraits>,
-                                  OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>, OpenMesh::PolyMesh_ArrayKernelT<FloatTraits>>;
+using UserMeshes =
+    testing::Types<OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>, OpenMesh::TriMesh_ArrayKernelT<FloatTraits>,
+                   OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>,
+                   OpenMesh::PolyMesh_ArrayKernelT<FloatTraits>>;
 TYPED_TEST_SUITE(AttachInPlace, UserMeshes);
 
 TYPED_TEST(AttachInPlace, MovesTheUsersPointsAndKeepsTheUsersProperties) {
@@ -85,7 +90,10 @@ TYPED_TEST(AttachInPlace, MovesTheUsersPointsAndKeepsTheUsersProperties) {
   ASSERT_TRUE(cut);
   const auto c = openmesh::TriangleMesh::halfedge(cut.dart);
   const Point middle = user.point(user.to_vertex_handle(c)) + user.point(user.from_vertex_handle(c));
-  EXPECT_NEAR((middle - Point(1, 1, 0) - Point(typename TypeParam::Scalar(1.25), typename TypeParam::Scalar(1.25), 0)).norm(), 0, 1e-6);
+  EXPECT_NEAR(
+      (middle - Point(1, 1, 0) - Point(typename TypeParam::Scalar(1.25), typename TypeParam::Scalar(1.25), 0))
+          .norm(),
+      0, 1e-6);
   const auto half = user.face_handle(c);
   EXPECT_EQ(user.color(half), colour);
   EXPECT_EQ(user.property(this->label_, half), "face " + std::to_string(left));
@@ -101,7 +109,8 @@ TYPED_TEST(AttachInPlace, MovesTheUsersPointsAndKeepsTheUsersProperties) {
 
 TYPED_TEST(AttachInPlace, GivesTheMeshBackAsItWas) {
   auto& user = this->user_;
-  const bool had[] = {user.has_vertex_status(), user.has_edge_status(), user.has_face_status(), user.has_halfedge_status()};
+  const bool had[] = {user.has_vertex_status(), user.has_edge_status(), user.has_face_status(),
+                      user.has_halfedge_status()};
   const std::vector<typename TypeParam::Point> before = this->points();
   for (int round = 0; round < 3; ++round) {
     MultiMesh tree(std::make_unique<openmesh::TriangleMesh>(user));
@@ -150,9 +159,10 @@ TYPED_TEST(AttachInPlace, IsUndoneWithTheUsersPropertiesAndCounts) {
     EXPECT_FALSE(ops.collapse(NodeId::root, e));
     ASSERT_EQ(this->points(), before);
     ASSERT_EQ(user.n_faces(), faces);
-    for (const auto f : user.all_faces()) ASSERT_EQ(user.property(this->label_, f), "face " + std::to_string(f.idx()));
-    if (user.has_halfedge_status())
-      for (const auto g : user.all_halfedges()) ASSERT_EQ(user.status(g).bits(), 0U);
+    for (const auto f : user.all_faces())
+      ASSERT_EQ(user.property(this->label_, f), "face " + std::to_string(f.idx()));
+    for (const auto g : user.all_halfedges())
+      ASSERT_TRUE(!user.has_halfedge_status() || user.status(g).bits() == 0);
   }
 }
 

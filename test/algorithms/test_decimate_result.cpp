@@ -161,29 +161,6 @@ TEST(DecimateResult, OneTriangleStays) {
   EXPECT_EQ(sum(r.blocking), 3U);
 }
 
-// The area below which a triangle of the texture counts as having none may not come from another chart.
-TEST(DecimateResult, AFarChartDoesNotHideFlipsOfTheOthers) {
-  const MadeSurface made = sphere_with_charts();
-  TexturedTriangles in = made.input;
-  const auto v = static_cast<std::int32_t>(in.positions.size()),
-             vt = static_cast<std::int32_t>(in.texcoords.size());
-  for (const OpenMesh::Vec3d& p :
-       {OpenMesh::Vec3d(3, 0, 0), OpenMesh::Vec3d(4, 0, 0), OpenMesh::Vec3d(3, 1, 0)}) {
-    in.positions.push_back(p);
-    in.texcoords.push_back({1e6 * p[0], 1e6 * p[1]});
-  }
-  in.triangles.push_back({{{v, vt}, {v + 1, vt + 1}, {v + 2, vt + 2}}});
-  TexturedSurface surface(in);
-  (void)decimate(surface, to_faces(100));
-  std::vector<Index> source;
-  TexturedTriangles after = surface.triangles(source);
-  const auto far = static_cast<std::size_t>(
-      std::find(source.begin(), source.end(), made.input.triangles.size()) - source.begin());
-  after.triangles.erase(after.triangles.begin() + static_cast<std::ptrdiff_t>(far));
-  source.erase(source.begin() + static_cast<std::ptrdiff_t>(far));
-  EXPECT_EQ(newly_flipped(made.input, after, source), 0U);
-}
-
 class Progress : public ::testing::Test {
  protected:
   TexturedSurface surface{bare(sphere(6))};  // 32768 triangles

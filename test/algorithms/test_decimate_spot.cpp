@@ -2,6 +2,8 @@
 // Spot, a real textured model: seams, junctions and charts after decimation.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "adapters/io/obj_reader.hpp"
 #include "adapters/io/triangulate.hpp"
 #include "multimesh/algorithms/decimate.hpp"
@@ -59,6 +61,30 @@ INSTANTIATE_TEST_SUITE_P(Cost, DecimateSpot, ::testing::Values(DecimateCost::qua
                          [](const auto& p) {
                            return p.param == DecimateCost::length ? "Length" : "Quadric";
                          });
+
+// The area below which a triangle of the texture counts as having none may not come from another chart: one
+// triangle far away in the texture, and the flips of all others would pass unseen.
+TEST(DecimateSpot, AFarChartDoesNotHideFlipsOfTheOthers) {
+  TexturedTriangles in = spot();
+  const auto v = static_cast<std::int32_t>(in.positions.size());
+  const auto vt = static_cast<std::int32_t>(in.texcoords.size());
+  for (const OpenMesh::Vec2d& p :
+       {OpenMesh::Vec2d(5e5, 0), OpenMesh::Vec2d(6e5, 0), OpenMesh::Vec2d(5e5, 1e5)}) {
+    in.positions.push_back({3 + 1e-6 * p[0], 1e-6 * p[1], 0});
+    in.texcoords.push_back(p);
+  }
+  in.triangles.push_back({{{v, vt}, {v + 1, vt + 1}, {v + 2, vt + 2}}});
+  TexturedSurface surface(in);
+  DecimateOptions options;
+  options.faces = spot().triangles.size() / 10;
+  (void)decimate(surface, options);
+  std::vector<Index> source;
+  TexturedTriangles after = surface.triangles(source);
+  const auto far = std::find(source.begin(), source.end(), spot().triangles.size()) - source.begin();
+  after.triangles.erase(after.triangles.begin() + far);
+  source.erase(source.begin() + far);
+  EXPECT_EQ(newly_flipped(spot(), after, source), 0U);
+}
 
 TEST(DecimateSpot, TheJudgeSeesWhatIsKnownOfSpot) {
   const Facts f = facts(spot());

@@ -36,8 +36,7 @@ Decimation decimate_bare(SurfaceMesh& mesh, std::size_t faces) {
   };
   EdgeQueue queue;
   queue.reserve(mesh.n_edges());
-  for (const auto e : mesh.edges()) queue.push_unordered(static_cast<Index>(e.idx()), cost(e));
-  queue.heapify();
+  for (const auto e : mesh.edges()) queue.push(static_cast<Index>(e.idx()), cost(e));
   EdgeQueue::Entry next;
   while (queue.pop(next)) {
     const OpenMesh::EdgeHandle e(static_cast<int>(next.edge));

@@ -11,9 +11,13 @@ namespace multimesh::test {
 
 namespace {
 
-constexpr int number_of_orders(int dimension) { return dimension == 1 ? 2 : dimension == 2 ? 6 : 24; }
+constexpr int number_of_orders(int dimension) {
+  return dimension == 1 ? 2 : dimension == 2 ? 6 : 24;
+}
 
-std::size_t corners(int dimension) { return static_cast<std::size_t>(dimension) + 1; }
+std::size_t corners(int dimension) {
+  return static_cast<std::size_t>(dimension) + 1;
+}
 
 }  // namespace
 
@@ -78,9 +82,9 @@ std::unique_ptr<Tree> tree_from(const oracle::Tree& tree) {
         return static_cast<Index>(tree.nodes[n].image.at(static_cast<int>(v[i])));
       };
       const Mesh& parent = result->tree->mesh(above);
-      anchors.push_back({dart_with(*mesh, f, v.data()), v.size() == 2
-                                                            ? find_dart(parent, {image(0), image(1)})
-                                                            : find_dart(parent, {image(0), image(1), image(2)})});
+      anchors.push_back(
+          {dart_with(*mesh, f, v.data()), v.size() == 2 ? find_dart(parent, {image(0), image(1)})
+                                                        : find_dart(parent, {image(0), image(1), image(2)})});
     }
     result->add(result->tree->add_child(above, std::move(mesh), anchors));
   }
@@ -150,7 +154,8 @@ PlainTree plain(const oracle::Tree& tree, const std::vector<std::map<int, int>>&
 
 std::unique_ptr<Tree> random_small_tree(std::uint64_t seed, std::size_t most_facets) {
   for (std::uint64_t s = 1000 * seed; s < 1000 * (seed + 1); ++s)
-    if (auto tree = tree_from(oracle::random_tree(s, {.min_facets = 4, .max_facets = most_facets}))) return tree;
+    if (auto tree = tree_from(oracle::random_tree(s, {.min_facets = 4, .max_facets = most_facets})))
+      return tree;
   throw std::logic_error("no orientable tree");
 }
 

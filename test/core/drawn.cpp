@@ -21,16 +21,23 @@ FacetList list_of(int dimension, const Facets& facets) {
 
 Shape shape(FacetList facets) {
   Shape s{std::move(facets), {}};
-  for (Index v = 0; v < s.facets.vertices; ++v) s.points.push_back({double(v), double(v * v % 7), double(v % 3)});
+  for (Index v = 0; v < s.facets.vertices; ++v)
+    s.points.push_back({double(v), double(v * v % 7), double(v % 3)});
   return s;
 }
 
 }  // namespace
 
-FacetList triangles(std::initializer_list<Triangle> list) { return list_of(2, list); }
-FacetList segments(std::initializer_list<Segment> list) { return list_of(1, list); }
+FacetList triangles(std::initializer_list<Triangle> list) {
+  return list_of(2, list);
+}
+FacetList segments(std::initializer_list<Segment> list) {
+  return list_of(1, list);
+}
 
-Tree drawn(std::initializer_list<Triangle> root) { return Tree(shape(triangles(root))); }
+Tree drawn(std::initializer_list<Triangle> root) {
+  return Tree(shape(triangles(root)));
+}
 
 NodeId add_drawn(Tree& tree, NodeId parent, const FacetList& child, std::initializer_list<Index> image) {
   const std::vector<Index> to(image);
@@ -41,7 +48,8 @@ NodeId add_drawn(Tree& tree, NodeId parent, const FacetList& child, std::initial
   for (std::size_t f = 0; f < over.size(); ++f) {
     const auto v = over.facet(f);
     const Dart d = v.size() == 2 ? find_dart(above, {v[0], v[1]}) : find_dart(above, {v[0], v[1], v[2]});
-    if (d == no_dart) throw std::logic_error("facet " + std::to_string(f) + " of the drawn child lies nowhere");
+    if (d == no_dart)
+      throw std::logic_error("facet " + std::to_string(f) + " of the drawn child lies nowhere");
     facets.push_back(above.facet(d));
   }
   return tree.add(add_child_by_facets(*tree.tree, parent, child, over, facets, openmesh::make_mesh));
@@ -66,13 +74,17 @@ Dart edge(const Tree& tree, NodeId n, Index a, Index b) {
   return d;
 }
 
-Tree two_neighbors() { return drawn({{0, 1, 2}, {3, 1, 0}, {0, 2, 4}}); }
+Tree two_neighbors() {
+  return drawn({{0, 1, 2}, {3, 1, 0}, {0, 2, 4}});
+}
 
 NodeId add_cut_on_edge01(Tree& tree, NodeId parent) {
   return add_drawn(tree, parent, triangles({{0, 1, 2}, {6, 3, 5}, {0, 2, 4}}), {0, 1, 2, 1, 4, 0, 3});
 }
 
-Tree two_neighbors_plus_one() { return drawn({{0, 1, 2}, {3, 1, 0}, {0, 2, 4}, {3, 0, 4}}); }
+Tree two_neighbors_plus_one() {
+  return drawn({{0, 1, 2}, {3, 1, 0}, {0, 2, 4}, {3, 0, 4}});
+}
 
 Tree disk_to_individual(Index n) {
   FacetList fan{2, n + 1, {}}, single{2, 3 * n, {}};

@@ -11,7 +11,9 @@ namespace multimesh::test {
 
 namespace {
 
-std::unique_ptr<Mesh> make(const FacetList& list) { return openmesh::make_mesh(list); }
+std::unique_ptr<Mesh> make(const FacetList& list) {
+  return openmesh::make_mesh(list);
+}
 
 std::unique_ptr<Mesh> shaken(const FacetList& list, unsigned seed) {
   auto mesh = make(list);
@@ -33,7 +35,9 @@ FacetList loop(Index n) {
 }
 
 //  0-->1<--2-->3    4<--5   and the triangle 6-7-8, every edge drawn in another direction
-FacetList mixed_curves() { return {1, 9, {0, 1, 2, 1, 2, 3, 5, 4, 6, 7, 8, 7, 8, 6}}; }
+FacetList mixed_curves() {
+  return {1, 9, {0, 1, 2, 1, 2, 3, 5, 4, 6, 7, 8, 7, 8, 6}};
+}
 
 FacetList two_components() {
   FacetList list = grid(2, 1).facets;
@@ -53,7 +57,9 @@ void shake(Mesh& mesh, unsigned seed, int operations) {
     const DartBuffer darts = all_darts(mesh);
     const Dart d = darts[random() % darts.size()];
     switch (random() % 3) {
-      case 0: mesh.split_edge(d, split); break;
+      case 0:
+        mesh.split_edge(d, split);
+        break;
       case 1:
         if (mesh.link_condition(d)) mesh.collapse_edge(d, collapse);
         break;
@@ -66,8 +72,14 @@ void shake(Mesh& mesh, unsigned seed, int operations) {
 
 const std::vector<MeshCase>& mesh_cases() {
   static const std::vector<MeshCase> cases{
-      {"OneTriangle", [] { return make({2, 3, {0, 1, 2}}); }},
-      {"Tetrahedron", [] { return make({2, 4, {1, 2, 3, 0, 3, 2, 0, 1, 3, 0, 2, 1}}); }},
+      {"OneTriangle",
+       [] {
+         return make({2, 3, {0, 1, 2}});
+       }},
+      {"Tetrahedron",
+       [] {
+         return make({2, 4, {1, 2, 3, 0, 3, 2, 0, 1, 3, 0, 2, 1}});
+       }},
       {"Grid", [] { return make(grid(3, 4).facets); }},
       {"Annulus", [] { return make(annulus(5, 2).facets); }},
       {"Torus", [] { return make(torus(4, 5).facets); }},
@@ -78,7 +90,10 @@ const std::vector<MeshCase>& mesh_cases() {
       {"ShakenAnnulus", [] { return shaken(annulus(4, 2).facets, 2); }},
       {"ShakenTorus", [] { return shaken(torus(4, 4).facets, 3); }},
       {"ShakenTwoComponents", [] { return shaken(two_components(), 4); }},
-      {"OneEdge", [] { return make({1, 2, {1, 0}}); }},
+      {"OneEdge",
+       [] {
+         return make({1, 2, {1, 0}});
+       }},
       {"Chain", [] { return make(chain(6)); }},
       {"Loop", [] { return make(loop(5)); }},
       {"SmallestLoop", [] { return make(loop(3)); }},

@@ -31,9 +31,12 @@ class Compactions : public testing::TestWithParam<unsigned> {
     return dynamic_cast<openmesh::Connectivity&>(tree_.mesh(n)).openmesh();
   }
   void mark_some(NodeId n) {
-    for (const auto v : om(n).all_vertices()) om(n).status(v).set_feature(random_() % 2), om(n).status(v).set_selected(random_() % 2);
-    for (const auto e : om(n).all_edges()) om(n).status(e).set_tagged(random_() % 2), om(n).status(e).set_feature(random_() % 2);
-    for (const auto f : om(n).all_faces()) om(n).status(f).set_locked(random_() % 2), om(n).status(f).set_hidden(random_() % 2);
+    for (const auto v : om(n).all_vertices())
+      om(n).status(v).set_feature(random_() % 2), om(n).status(v).set_selected(random_() % 2);
+    for (const auto e : om(n).all_edges())
+      om(n).status(e).set_tagged(random_() % 2), om(n).status(e).set_feature(random_() % 2);
+    for (const auto f : om(n).all_faces())
+      om(n).status(f).set_locked(random_() % 2), om(n).status(f).set_hidden(random_() % 2);
     if (GetParam() % 3 == 0)
       for (const auto v : om(n).all_vertices()) om(n).status(v).set_locked(v.idx() % 5 == 0);
   }
@@ -54,8 +57,9 @@ class Compactions : public testing::TestWithParam<unsigned> {
     std::string line;
     for (int i = 0; i <= k; ++i) {
       const Point3& p = t_->points(n)[v[i]];
-      line += values_[node].vertex(v[i]) + " " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " bits " +
-              std::to_string(om(n).status(OpenMesh::VertexHandle(static_cast<int>(v[i]))).bits()) + "|";
+      line += values_[node].vertex(v[i]) + " " + std::to_string(p[0]) + " " + std::to_string(p[1]) +
+              " bits " + std::to_string(om(n).status(OpenMesh::VertexHandle(static_cast<int>(v[i]))).bits()) +
+              "|";
     }
     return line;
   }
@@ -69,7 +73,8 @@ class Compactions : public testing::TestWithParam<unsigned> {
         std::string line = describe(node, d, mesh.dimension());
         const Index e = mesh.simplex(d, 1);
         for (const int i : values_[node].edge(e)) line += " " + std::to_string(i);
-        line += " edge bits " + std::to_string(om(n).status(OpenMesh::EdgeHandle(static_cast<int>(e))).bits());
+        line +=
+            " edge bits " + std::to_string(om(n).status(OpenMesh::EdgeHandle(static_cast<int>(e))).bits());
         if (mesh.dimension() == 2) {
           const Index f = mesh.facet(d);
           line += values_[node].face(f) + " face bits " +
@@ -77,9 +82,11 @@ class Compactions : public testing::TestWithParam<unsigned> {
         }
         if (n != NodeId::root) {
           const auto above = std::find(tree_.nodes().begin(), tree_.nodes().end(), tree_.parent(n));
-          line += " -> " + describe(static_cast<std::size_t>(above - tree_.nodes().begin()), tree_.to_parent(n, d), mesh.dimension());
+          line += " -> " + describe(static_cast<std::size_t>(above - tree_.nodes().begin()),
+                                    tree_.to_parent(n, d), mesh.dimension());
         }
-        for (const NodeId below : tree_.children(n)) line += tree_.facet_over(below, d) == no_index ? "-" : "+";
+        for (const NodeId below : tree_.children(n))
+          line += tree_.facet_over(below, d) == no_index ? "-" : "+";
         lines.push_back(std::move(line));
       }
       std::sort(lines.begin(), lines.end());
@@ -125,10 +132,12 @@ TEST_P(Compactions, SayWhatMovedWhere) {
     const Mesh& mesh = tree_.mesh(n);
     auto& here = live.emplace_back();
     for (int k = 0; k <= mesh.dimension(); ++k)
-      for (Index s = 0; s < mesh.capacity(k); ++s) here[static_cast<std::size_t>(k)].push_back(mesh.is_live(k, s));
+      for (Index s = 0; s < mesh.capacity(k); ++s)
+        here[static_cast<std::size_t>(k)].push_back(mesh.is_live(k, s));
     for (const Dart d : all_darts(mesh)) {
       Old o{n, d, name(n, d), {}};
-      for (int k = 0; k <= mesh.dimension(); ++k) o.simplices[static_cast<std::size_t>(k)] = mesh.simplex(d, k);
+      for (int k = 0; k <= mesh.dimension(); ++k)
+        o.simplices[static_cast<std::size_t>(k)] = mesh.simplex(d, k);
       all.push_back(o);
     }
   }
@@ -140,7 +149,8 @@ TEST_P(Compactions, SayWhatMovedWhere) {
     ASSERT_TRUE(mesh.is_dart(now));
     EXPECT_EQ(name(o.node, now), o.name);
     for (int k = 0; k <= mesh.dimension(); ++k)
-      EXPECT_EQ(c.simplices[static_cast<std::size_t>(k)].at(o.simplices[static_cast<std::size_t>(k)]), mesh.simplex(now, k));
+      EXPECT_EQ(c.simplices[static_cast<std::size_t>(k)].at(o.simplices[static_cast<std::size_t>(k)]),
+                mesh.simplex(now, k));
   }
   for (std::size_t i = 0; i < live.size(); ++i) {
     const NodeId n = tree_.nodes()[i];
@@ -157,14 +167,16 @@ TEST_P(Compactions, OfDeadDartsGiveNoDart) {
   for (const NodeId n : tree_.nodes()) {
     const Mesh& mesh = tree_.mesh(n);
     auto& here = was_dart.emplace_back();
-    for (std::uint32_t c = 0; c < mesh.capacity(1) * (mesh.dimension() == 2 ? 4 : 2); ++c) here.push_back(mesh.is_dart(Dart{c}));
+    for (std::uint32_t c = 0; c < mesh.capacity(1) * (mesh.dimension() == 2 ? 4 : 2); ++c)
+      here.push_back(mesh.is_dart(Dart{c}));
   }
   const auto moved = tree_.compact();
   for (std::size_t i = 0; i < was_dart.size(); ++i) {
     const NodeId n = tree_.nodes()[i];
     ASSERT_EQ(moved[index(n)].darts.size(), was_dart[i].size());
     for (std::size_t c = 0; c < was_dart[i].size(); ++c)
-      EXPECT_EQ(moved[index(n)].darts[c] != no_dart && tree_.mesh(n).is_dart(moved[index(n)].darts[c]), was_dart[i][c]);
+      EXPECT_EQ(moved[index(n)].darts[c] != no_dart && tree_.mesh(n).is_dart(moved[index(n)].darts[c]),
+                was_dart[i][c]);
   }
 }
 

@@ -182,7 +182,9 @@ TEST(FacesAround, ListsEachFaceOfAFacetOnce) {
           for (int i = 0; i <= j; ++i) EXPECT_LE(p[i], d);
           EXPECT_TRUE(faces.insert(face).second);
         }
-        const auto choose = [](int n, int m) { return m == 0 || m == n ? 1U : m == 1 || m == n - 1 ? unsigned(n) : 6U; };
+        const auto choose = [](int n, int m) {
+          return m == 0 || m == n ? 1U : m == 1 || m == n - 1 ? unsigned(n) : 6U;
+        };
         EXPECT_EQ(faces.size(), choose(d - k, j - k)) << d << j << k;
       }
 }

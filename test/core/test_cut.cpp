@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "multimesh/cut.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <set>
 
 #include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/cut.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
 
@@ -18,7 +17,8 @@ oracle::Complex complex_of_list(const FacetList& list) {
   oracle::Complex c{list.dimension, {}};
   for (std::size_t f = 0; f < list.size(); ++f) {
     const auto v = list.facet(f);
-    c.facets.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), v.size() > 2 ? static_cast<int>(v[2]) : 0});
+    c.facets.push_back(
+        {static_cast<int>(v[0]), static_cast<int>(v[1]), v.size() > 2 ? static_cast<int>(v[2]) : 0});
   }
   return c;
 }
@@ -45,7 +45,9 @@ Cut checked_cut(const FacetList& in, const CutOptions& options = {}) {
   return out;
 }
 
-long components(const Cut& c) { return oracle::number_of_components(complex_of_list(c.facets)); }
+long components(const Cut& c) {
+  return oracle::number_of_components(complex_of_list(c.facets));
+}
 
 TEST(Cut, KeepsAManifoldMeshAsItIs) {
   const FacetList sphere_list = sphere(1).facets;
@@ -78,8 +80,8 @@ TEST(Cut, DoublesAPinchedVertex) {
 }
 
 TEST(Cut, DoublesThePointWhereTwoTetrahedraTouch) {
-  const Cut c = checked_cut(triangles({{0, 1, 2}, {0, 4, 5}, {0, 2, 3}, {0, 5, 6}, {0, 3, 1}, {0, 6, 4}, {1, 3, 2},
-                                       {4, 6, 5}}));
+  const Cut c = checked_cut(
+      triangles({{0, 1, 2}, {0, 4, 5}, {0, 2, 3}, {0, 5, 6}, {0, 3, 1}, {0, 6, 4}, {1, 3, 2}, {4, 6, 5}}));
   EXPECT_EQ(c.facets.vertices, 8U);
   EXPECT_EQ(components(c), 2);
 }
@@ -99,8 +101,16 @@ TEST(Cut, OpensAMoebiusStrip) {
 
 // The projective plane on six vertices: no cut along boundary edges exists, it has none.
 TEST(Cut, OpensAProjectivePlane) {
-  const Cut c = checked_cut(triangles({{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
-                                       {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}}));
+  const Cut c = checked_cut(triangles({{0, 1, 2},
+                                       {0, 2, 3},
+                                       {0, 3, 4},
+                                       {0, 4, 5},
+                                       {0, 5, 1},
+                                       {1, 2, 4},
+                                       {2, 3, 5},
+                                       {3, 4, 1},
+                                       {4, 5, 2},
+                                       {5, 1, 3}}));
   EXPECT_TRUE(oracle::is_orientable(complex_of_list(c.facets)));
 }
 

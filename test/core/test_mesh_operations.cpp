@@ -5,17 +5,19 @@
 
 #include <algorithm>
 
+#include "adapters/openmesh/make_mesh.hpp"
 #include "oracle/collapse.hpp"
 #include "oracle/random_surface.hpp"
 #include "oracle/split.hpp"
-#include "adapters/openmesh/make_mesh.hpp"
 #include "test/core/bridge.hpp"
 #include "test/core/mesh_cases.hpp"
 
 namespace multimesh::test {
 namespace {
 
-oracle::Tree alone(const Mesh& mesh) { return {{{complex_of(mesh), -1, {}}}}; }
+oracle::Tree alone(const Mesh& mesh) {
+  return {{{complex_of(mesh), -1, {}}}};
+}
 
 std::vector<Index> vertices(const Mesh& mesh, Dart d) {
   std::vector<Index> v(4);
@@ -97,8 +99,8 @@ TEST_P(MeshOperations, SplitTellsEveryDartThatGotAnotherName) {
     mesh->split_edge(e, r);
     ASSERT_EQ(r.facets.size(), split_facets.size());
     for (const OldDart& o : old) {
-      const auto halves = std::find_if(r.facets.begin(), r.facets.end(),
-                                       [&](const auto& h) { return h.old == o.facet; });
+      const auto halves =
+          std::find_if(r.facets.begin(), r.facets.end(), [&](const auto& h) { return h.old == o.facet; });
       if (halves == r.facets.end()) {
         EXPECT_EQ(vertices(*mesh, o.dart), o.vertices) << "a facet that was not split";
         EXPECT_EQ(mesh->facet(o.dart), o.facet);
@@ -173,7 +175,8 @@ TEST_P(MeshOperations, CollapseTellsEveryDartThatGotAnotherName) {
         if (k > 0 && wanted[0] == wanted[1]) break;
         const auto got = vertices(*mesh, now);
         ASSERT_TRUE(mesh->is_dart(now));
-        EXPECT_TRUE(std::equal(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(k) + 1, got.begin()));
+        EXPECT_TRUE(
+            std::equal(wanted.begin(), wanted.begin() + static_cast<std::ptrdiff_t>(k) + 1, got.begin()));
       }
     }
   });
@@ -191,20 +194,24 @@ TEST_P(MeshOperations, FlipReplacesTheDiagonalAndKeepsTheOuterDarts) {
     }
     const auto left = vertices(*mesh, e), right = vertices(*mesh, across);
     const Index a = left[0], b = left[1], l = left[2], r = right[2];
-    const bool taken = l == r || oracle::contains(edges, oracle::simplex({static_cast<int>(l), static_cast<int>(r)}));
+    const bool taken =
+        l == r || oracle::contains(edges, oracle::simplex({static_cast<int>(l), static_cast<int>(r)}));
     EXPECT_EQ(mesh->can_flip(e), !taken);
     if (taken) return;
     auto wanted = oracle::facet_set(complex_of(*mesh));
     for (const Index end : {a, b})
       for (const bool was : {true, false}) {
-        const auto s = was ? oracle::simplex({static_cast<int>(a), static_cast<int>(b), static_cast<int>(end == a ? l : r)})
-                           : oracle::simplex({static_cast<int>(l), static_cast<int>(r), static_cast<int>(end)});
+        const auto s =
+            was ? oracle::simplex(
+                      {static_cast<int>(a), static_cast<int>(b), static_cast<int>(end == a ? l : r)})
+                : oracle::simplex({static_cast<int>(l), static_cast<int>(r), static_cast<int>(end)});
         was ? void(std::erase(wanted, s)) : wanted.push_back(s);
       }
     oracle::normalize(wanted);
     std::vector<OldDart> outer;
     for (const Dart side : {e, across})
-      for (const Permutation p : {edge_ax, edge_bx}) outer.push_back({mesh->reorder(side, p), 0, vertices(*mesh, mesh->reorder(side, p))});
+      for (const Permutation p : {edge_ax, edge_bx})
+        outer.push_back({mesh->reorder(side, p), 0, vertices(*mesh, mesh->reorder(side, p))});
     mesh->flip_edge(e);
     EXPECT_EQ(oracle::facet_set(complex_of(*mesh)), wanted);
     for (const OldDart& o : outer) {

@@ -15,7 +15,9 @@
 namespace multimesh::test {
 namespace {
 
-std::unique_ptr<Tree> own(Tree t) { return std::make_unique<Tree>(std::move(t)); }
+std::unique_ptr<Tree> own(Tree t) {
+  return std::make_unique<Tree>(std::move(t));
+}
 
 /// The kinds of the random tests, hand-made trees, and trees of the oracle's generator.
 std::vector<TreeKind> all_trees() {
@@ -24,13 +26,15 @@ std::vector<TreeKind> all_trees() {
     for (unsigned seed = 0; seed < 2; ++seed)
       all.push_back({kind.name + std::to_string(seed), [=](Index, unsigned) { return kind.make(16, seed); }});
   all.push_back({"DiskToIndividual", [](Index, unsigned) { return own(disk_to_individual(5)); }});
-  all.push_back({"CutOnOneEdge", [](Index, unsigned) {
-                   auto t = own(two_neighbors_plus_one());
-                   add_drawn(*t, NodeId::root, triangles({{0, 1, 2}, {6, 3, 5}, {0, 2, 4}}), {0, 1, 2, 1, 4, 0, 3});
-                   return t;
-                 }});
+  all.push_back(
+      {"CutOnOneEdge", [](Index, unsigned) {
+         auto t = own(two_neighbors_plus_one());
+         add_drawn(*t, NodeId::root, triangles({{0, 1, 2}, {6, 3, 5}, {0, 2, 4}}), {0, 1, 2, 1, 4, 0, 3});
+         return t;
+       }});
   for (unsigned seed = 0; seed < 30; ++seed)
-    all.push_back({"Random" + std::to_string(seed), [=](Index, unsigned) { return random_small_tree(seed, 12); }});
+    all.push_back(
+        {"Random" + std::to_string(seed), [=](Index, unsigned) { return random_small_tree(seed, 12); }});
   return all;
 }
 

@@ -14,7 +14,9 @@ void lock(Tree& t, NodeId n, Index v) {
   om.status(OpenMesh::VertexHandle(static_cast<int>(v))).set_locked(true);
 }
 
-Index merged_vertex(const Tree& t, NodeId n, const Outcome& o) { return t.tree->mesh(n).vertex(o.dart); }
+Index merged_vertex(const Tree& t, NodeId n, const Outcome& o) {
+  return t.tree->mesh(n).vertex(o.dart);
+}
 
 // 12-13-14-15    grid(3, 3), drawn with i to the right and j up: vertex 4*i + j; 5, 6, 9, 10 are interior
 struct Grid {
@@ -89,8 +91,9 @@ TEST(Placement, HoldsTheEndOfASeam) {
     const NodeId cut = add_cut_on_edge01(t, NodeId::root);
     const Point3 there = t.points(NodeId::root)[1];
     const Dart e = a_is_seam ? edge(t, cut, 1, 2) : edge(t, cut, 2, 1);
-    EXPECT_EQ(t.operations->collapse(cut, e, a_is_seam ? Placement::keep_b() : Placement::keep_a()).refusal.check,
-              Check::placement);
+    EXPECT_EQ(
+        t.operations->collapse(cut, e, a_is_seam ? Placement::keep_b() : Placement::keep_a()).refusal.check,
+        Check::placement);
     const Outcome o = t.operations->collapse(cut, e, Placement::at(0.5));
     ASSERT_TRUE(o);
     EXPECT_EQ(t.points(cut)[merged_vertex(t, cut, o)], there);
@@ -119,7 +122,8 @@ TEST(Placement, IsImpossibleBetweenTwoCurves) {
   Tree t(grid(3, 3));
   const NodeId first = add_drawn(t, NodeId::root, segments({{0, 1}, {1, 2}}), {4, 5, 6});
   (void)add_drawn(t, NodeId::root, segments({{0, 1}, {1, 2}}), {8, 9, 10});
-  EXPECT_EQ(t.operations->collapse(NodeId::root, edge(t, NodeId::root, 5, 9)).refusal.check, Check::placement);
+  EXPECT_EQ(t.operations->collapse(NodeId::root, edge(t, NodeId::root, 5, 9)).refusal.check,
+            Check::placement);
   EXPECT_TRUE(t.operations->collapse(first, edge(t, first, 0, 1)));
 }
 
@@ -160,6 +164,19 @@ TEST(Contact, ThatIsThereAlreadyIsNotNew) {
   t.operations->set({.contact = true});
   EXPECT_TRUE(t.operations->collapse(curve, edge(t, curve, 0, 1)));
   EXPECT_EQ(validate(*t.tree), std::vector<std::string>{});
+}
+
+// More children than a word has bits: each of them counts.
+TEST(Contact, IsSeenForEveryOneOfManyChildren) {
+  for (const int touching : {0, 62, 63, 64, 69}) {
+    Tree t(grid(3, 3));
+    for (int i = 0; i < 70; ++i)
+      (void)add_drawn(t, NodeId::root, segments({{0, 1}}),
+                      {i == touching ? 5U : 9U, i == touching ? 6U : 10U});
+    t.operations->set({.contact = true});
+    const Outcome o = t.operations->collapse(NodeId::root, edge(t, NodeId::root, 4, 5));
+    EXPECT_EQ(o.refusal.check, Check::contact) << "child " << touching;
+  }
 }
 
 // A value that a child takes from its parent, by a rule.

@@ -32,7 +32,8 @@ class Queries : public testing::TestWithParam<unsigned> {
     for (unsigned i = 0; i < 6; ++i) {
       const DartBuffer darts = all_darts(tree_.mesh(NodeId::root));
       const Dart d = darts[(7 * i + GetParam()) % darts.size()];
-      (void)(i % 2 ? owner_->operations->collapse(NodeId::root, d) : owner_->operations->split(NodeId::root, d));
+      (void)(i % 2 ? owner_->operations->collapse(NodeId::root, d)
+                   : owner_->operations->split(NodeId::root, d));
     }
   }
   int dimension(NodeId n) const { return tree_.mesh(n).dimension(); }
@@ -70,7 +71,8 @@ TEST_P(Queries, FindAllPreimagesOnceInEveryMeshBelow) {
   for (std::size_t i = 0; i < plain_tree.nodes.size(); ++i) {
     const NodeId above = tree_.nodes()[i];
     for (const NodeId below : tree_.descendants(above)) {
-      const auto j = static_cast<int>(std::find(tree_.nodes().begin(), tree_.nodes().end(), below) - tree_.nodes().begin());
+      const auto j = static_cast<int>(std::find(tree_.nodes().begin(), tree_.nodes().end(), below) -
+                                      tree_.nodes().begin());
       for (int k = 0; k <= dimension(above); ++k)
         for (const Dart d : all_darts(tree_.mesh(above))) {
           DartBuffer found{no_dart};  // results are appended
@@ -104,7 +106,8 @@ TEST_P(Queries, MapAcrossThroughTheRootOrTheLowestCommonAncestor) {
           std::set<Index> all, wanted;
           for (const Dart e : by_root) all.insert(tree_.mesh(to).simplex(e, k));
           for (const Dart e : simplices_of(tree_.mesh(to), k)) {
-            const bool same = root.simplex(tree_.to_root(to, e), k) == root.simplex(tree_.to_root(from, d), k);
+            const bool same =
+                root.simplex(tree_.to_root(to, e), k) == root.simplex(tree_.to_root(from, d), k);
             if (same) wanted.insert(tree_.mesh(to).simplex(e, k));
             EXPECT_EQ(tree_.same_simplex(from, d, to, e, k), same);
           }

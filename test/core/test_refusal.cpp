@@ -24,7 +24,8 @@ const std::vector<NamedOperation>& operations() {
   static const std::vector<NamedOperation> all{
       {"Split", [](Propagation& o, NodeId n, Dart e) { return o.split(n, e, 0.25); }},
       {"Collapse", [](Propagation& o, NodeId n, Dart e) { return o.collapse(n, e); }},
-      {"CollapseKeepA", [](Propagation& o, NodeId n, Dart e) { return o.collapse(n, e, Placement::keep_a()); }},
+      {"CollapseKeepA",
+       [](Propagation& o, NodeId n, Dart e) { return o.collapse(n, e, Placement::keep_a()); }},
       {"Swap", [](Propagation& o, NodeId n, Dart e) { return o.swap(n, e); }},
       {"SwapBySplit", [](Propagation& o, NodeId n, Dart e) { return o.swap_by_split_and_collapse(n, e); }},
       {"Relocate", [](Propagation& o, NodeId n, Dart v) { return o.relocate(n, v, [](const Event&) {}); }}};
@@ -97,7 +98,8 @@ TEST_P(Refusals, OfInvariantsChangeNothing) {
         }
         return false;
       };
-      FunctionInvariant stubborn("stubborn", after ? FunctionInvariant::Test{} : no, after ? no : FunctionInvariant::Test{});
+      FunctionInvariant stubborn("stubborn", after ? FunctionInvariant::Test{} : no,
+                                 after ? no : FunctionInvariant::Test{});
       x.t->operations->add(stubborn);
       const auto before = x.state();
       x.on_some_edges(7, [&](NodeId n, Dart e) {
@@ -153,7 +155,8 @@ TEST_P(Refusals, ByAnExceptionOfAnAttributeOrInvariantChangeNothing) {
       Loaded x(seed);
       const NodeId last = x.t->tree->nodes().back();
       std::vector<int> values(1000, 0);
-      VertexAttribute<int> bad(last, values, [](Operation, const VertexChange&) -> int { throw Interruption(); });
+      VertexAttribute<int> bad(last, values,
+                               [](Operation, const VertexChange&) -> int { throw Interruption(); });
       FunctionInvariant worse("worse", {}, [](const Event&) -> bool { throw Interruption(); });
       attribute ? void(x.t->operations->add(bad)) : void(x.t->operations->add(worse));
       auto before = x.state();
@@ -183,7 +186,10 @@ TEST(Refusal, OfEveryReasonChangesNothing) {
   };
   using Words = std::vector<std::uint64_t>;
   const std::vector<Case> cases{
-      {Check::link_condition, [&](Words& w) { return collapse(drawn({{0, 1, 2}}), 0, 1, {}, w); }},
+      {Check::link_condition,
+       [&](Words& w) {
+         return collapse(drawn({{0, 1, 2}}), 0, 1, {}, w);
+       }},
       {Check::gluing,
        [&](Words& w) {
          Tree t = two_neighbors();
@@ -207,14 +213,18 @@ TEST(Refusal, OfEveryReasonChangesNothing) {
        [&](Words& w) {
          Tree t(grid(3, 3));
          for (const int v : {5, 6})
-           dynamic_cast<openmesh::Connectivity&>(t.tree->mesh(NodeId::root)).openmesh().status(OpenMesh::VertexHandle(v)).set_locked(true);
+           dynamic_cast<openmesh::Connectivity&>(t.tree->mesh(NodeId::root))
+               .openmesh()
+               .status(OpenMesh::VertexHandle(v))
+               .set_locked(true);
          return collapse(std::move(t), 5, 6, {}, w);
        }},
   };
   for (const Case& c : cases) {
     std::vector<std::uint64_t> before;
     auto [tree, outcome] = c.run(before);
-    EXPECT_EQ(outcome.refusal.check, c.check) << to_string(c.check) << " expected, got " << to_string(outcome.refusal.check);
+    EXPECT_EQ(outcome.refusal.check, c.check)
+        << to_string(c.check) << " expected, got " << to_string(outcome.refusal.check);
     EXPECT_EQ(fingerprint(tree), before) << to_string(c.check);
     EXPECT_EQ(tree.operations->statistics().refused_by(c.check), 1U);
   }

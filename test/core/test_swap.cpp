@@ -12,7 +12,8 @@ namespace {
 bool surfaces_cover(const MultiMesh& tree) {
   for (const NodeId n : tree.nodes().subspan(1)) {
     const Mesh &below = tree.mesh(n), &above = tree.mesh(tree.parent(n));
-    if (below.dimension() == 2 && simplices_of(below, 2).size() != simplices_of(above, 2).size()) return false;
+    if (below.dimension() == 2 && simplices_of(below, 2).size() != simplices_of(above, 2).size())
+      return false;
   }
   return true;
 }
@@ -39,11 +40,13 @@ Result try_swap(Tree& t, NodeId n, Dart e, Outcome (Propagation::*swap)(NodeId, 
 TEST(Swap, EqualsSplitAndCollapseWhereSurfacesCoverTheirParents) {
   std::size_t swapped = 0, refused = 0;
   for (unsigned seed = 0; seed < 150; ++seed) {
-    const auto t = seed % 3 ? random_small_tree(seed) : tree_kinds()[seed / 3 % tree_kinds().size()].make(16, seed);
+    const auto t =
+        seed % 3 ? random_small_tree(seed) : tree_kinds()[seed / 3 % tree_kinds().size()].make(16, seed);
     if (!surfaces_cover(*t->tree)) continue;
     for (const NodeId n : t->tree->nodes())
       for (const Dart e : simplices_of(t->tree->mesh(n), 1)) {
-        SCOPED_TRACE("seed " + std::to_string(seed) + ", mesh " + std::to_string(index(n)) + ", dart " + std::to_string(code(e)));
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", mesh " + std::to_string(index(n)) + ", dart " +
+                     std::to_string(code(e)));
         const Result flip = try_swap(*t, n, e, &Propagation::swap);
         const Result reference = try_swap(*t, n, e, &Propagation::swap_by_split_and_collapse);
         ASSERT_EQ(flip.refusal.refused(), reference.refusal.refused()) << to_string(reference.refusal.check);
@@ -63,7 +66,8 @@ TEST(Swap, IsNeverMoreThanSplitAndCollapse) {
     const auto t = random_small_tree(seed);
     for (const NodeId n : t->tree->nodes())
       for (const Dart e : simplices_of(t->tree->mesh(n), 1)) {
-        SCOPED_TRACE("seed " + std::to_string(seed) + ", mesh " + std::to_string(index(n)) + ", dart " + std::to_string(code(e)));
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", mesh " + std::to_string(index(n)) + ", dart " +
+                     std::to_string(code(e)));
         const Result flip = try_swap(*t, n, e, &Propagation::swap);
         if (flip.refusal.refused()) continue;
         const Result reference = try_swap(*t, n, e, &Propagation::swap_by_split_and_collapse);

@@ -35,7 +35,8 @@ struct Fan {
   /// Live vertices and facets of a child.
   std::array<Index, 2> counts(NodeId n) const {
     const Mesh& m = t.tree->mesh(n);
-    return {static_cast<Index>(simplices_of(m, 0).size()), static_cast<Index>(simplices_of(m, m.dimension()).size())};
+    return {static_cast<Index>(simplices_of(m, 0).size()),
+            static_cast<Index>(simplices_of(m, m.dimension()).size())};
   }
   Tree t;
 };

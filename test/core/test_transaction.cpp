@@ -39,7 +39,9 @@ class Transactions : public testing::Test {
     Propagation& o = *t_.operations;
     for (int i = 0; i < 12; ++i) {
       const Dart e = any(31 * i + seed);
-      (void)(i % 3 == 0 ? o.split(NodeId::root, e) : i % 3 == 1 ? o.swap(NodeId::root, e) : o.collapse(NodeId::root, e));
+      (void)(i % 3 == 0   ? o.split(NodeId::root, e)
+             : i % 3 == 1 ? o.swap(NodeId::root, e)
+                          : o.collapse(NodeId::root, e));
     }
     EXPECT_EQ(validate(*t_.tree), std::vector<std::string>{});
   }
@@ -171,7 +173,8 @@ TEST_F(Transactions, SplitCopiesTheUsersValuesToTheNewHalves) {
     const int c = static_cast<int>(mesh.vertex(mesh.switch_dart(t_.operations->copies()[i].dart, 0)));
     const Index whole = edge_of[node].at(oracle::simplex({a, b}));
     for (const int end : {a, b})
-      EXPECT_EQ(values_[node].edge(edges_after[node].at(oracle::simplex({end, c}))), std::get<1>(before[node])[whole]);
+      EXPECT_EQ(values_[node].edge(edges_after[node].at(oracle::simplex({end, c}))),
+                std::get<1>(before[node])[whole]);
     if (mesh.dimension() != 2) continue;
     for (const auto& [s, f] : facet_of[node])
       if (oracle::contains(s, a) && oracle::contains(s, b))

@@ -24,7 +24,8 @@ std::vector<Anchor> identity_anchors(const Mesh& child, const Mesh& parent) {
 
 class AddChild : public testing::Test {
  protected:
-  AddChild() : t_(two_neighbors()), child_(openmesh::make_mesh(triangles({{0, 1, 2}, {3, 1, 0}, {0, 2, 4}}))) {
+  AddChild()
+      : t_(two_neighbors()), child_(openmesh::make_mesh(triangles({{0, 1, 2}, {3, 1, 0}, {0, 2, 4}}))) {
     anchors_ = identity_anchors(*child_, t_.tree->mesh(NodeId::root));
   }
   void expect_refused(const std::string& named) {
@@ -111,7 +112,8 @@ TEST(AddChildByFacets, NamesTheFacetThatDoesNotCorrespond) {
 TEST(AddChild_, RefusesNothingAndMissingParents) {
   Tree t = two_neighbors();
   EXPECT_THROW((void)t.tree->add_child(NodeId::root, nullptr, {}), UsageError);
-  EXPECT_THROW((void)t.tree->add_child(NodeId{3}, openmesh::make_mesh(triangles({{0, 1, 2}})), {}), UsageError);
+  EXPECT_THROW((void)t.tree->add_child(NodeId{3}, openmesh::make_mesh(triangles({{0, 1, 2}})), {}),
+               UsageError);
   EXPECT_THROW(MultiMesh(nullptr), UsageError);
 }
 
@@ -135,7 +137,9 @@ struct Family {
   NodeId g = add_copy(t, d), h = add_copy(t, f), i = add_copy(t, g);
 };
 
-std::set<NodeId> set_of(std::span<const NodeId> nodes) { return {nodes.begin(), nodes.end()}; }
+std::set<NodeId> set_of(std::span<const NodeId> nodes) {
+  return {nodes.begin(), nodes.end()};
+}
 
 TEST(TreeOfMeshes, KnowsWhoIsBelowWhom) {
   const Family x;

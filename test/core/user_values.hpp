@@ -24,9 +24,11 @@ class UserValues {
     om_.add_property(edge_, "user:edge");
     om_.add_property(halfedge_, "user:halfedge");
     om_.add_property(face_, "user:face");
-    for (const auto v : om_.all_vertices()) om_.property(vertex_, v) = "a name too long to be kept in place " + std::to_string(v.idx());
+    for (const auto v : om_.all_vertices())
+      om_.property(vertex_, v) = "a name too long to be kept in place " + std::to_string(v.idx());
     for (const auto e : om_.all_edges()) om_.property(edge_, e) = {e.idx(), 1, 2};
-    for (const auto h : om_.all_halfedges()) om_.property(halfedge_, h) = {h.idx(), {"h", std::to_string(h.idx())}};
+    for (const auto h : om_.all_halfedges())
+      om_.property(halfedge_, h) = {h.idx(), {"h", std::to_string(h.idx())}};
     for (const auto f : om_.all_faces()) om_.property(face_, f) = "f" + std::to_string(f.idx());
   }
 
