@@ -17,10 +17,12 @@ namespace {
 
 struct DoubleTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
+  using Color = OpenMesh::Vec4f;
   VertexTraits { std::string name; };
   FaceAttributes(OpenMesh::Attributes::Color);
 };
 struct FloatTraits : OpenMesh::DefaultTraits {
+  using Color = OpenMesh::Vec4f;
   VertexAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Normal);
   EdgeAttributes(OpenMesh::Attributes::Status);
   FaceAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::Color);
@@ -41,7 +43,7 @@ class AttachInPlace : public testing::Test {
       std::vector<typename UserMesh::VertexHandle> corners;
       for (const Index v : s.facets.facet(f)) corners.emplace_back(static_cast<int>(v));
       const auto face = user_.add_face(corners);
-      user_.set_color(face, typename UserMesh::Color(static_cast<unsigned char>(f), 2, 3));
+      user_.set_color(face, {static_cast<float>(f), 2, 3, 1});
     }
     user_.add_property(label_, "label");
     for (const auto f : user_.faces()) user_.property(label_, f) = "face " + std::to_string(f.idx());

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace multimesh::test {
 struct MeshCase {
   std::string name;
   std::function<std::unique_ptr<Mesh>()> make;
+  friend void PrintTo(const MeshCase& c, std::ostream* out) { *out << c.name; }
 };
 
 /// Triangle and edge meshes: with and without boundary, one facet, several components, and after random

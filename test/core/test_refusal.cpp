@@ -18,6 +18,7 @@ using Operate = std::function<Outcome(Propagation&, NodeId, Dart)>;
 struct NamedOperation {
   std::string name;
   Operate run;
+  friend void PrintTo(const NamedOperation& o, std::ostream* out) { *out << o.name; }
 };
 
 const std::vector<NamedOperation>& operations() {
@@ -98,8 +99,9 @@ TEST_P(Refusals, OfInvariantsChangeNothing) {
         }
         return false;
       };
-      FunctionInvariant stubborn("stubborn", after ? FunctionInvariant::Test{} : no,
-                                 after ? no : FunctionInvariant::Test{});
+      FunctionInvariant::Test before_test, after_test;
+      (after ? after_test : before_test) = no;
+      FunctionInvariant stubborn("stubborn", before_test, after_test);
       x.t->operations->add(stubborn);
       const auto before = x.state();
       x.on_some_edges(7, [&](NodeId n, Dart e) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ class Tree {
 struct TreeKind {
   std::string name;
   std::function<std::unique_ptr<Tree>(Index size, unsigned seed)> make;
+  friend void PrintTo(const TreeKind& k, std::ostream* out) { *out << k.name; }
 };
 
 /// The kinds that the random tests run on: surface + UV; surface + UV + seam curves below the UV; surface +
