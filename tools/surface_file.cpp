@@ -2,6 +2,7 @@
 #include "tools/surface_file.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "adapters/io/mesh_reader.hpp"
@@ -25,9 +26,19 @@ void add_count(std::vector<std::string>& warnings, std::size_t count, const std:
   if (count > 0) warnings.push_back(std::to_string(count) + " " + what);
 }
 
+/// A number per face: equal for equal materials. Empty if the file has no sections.
+std::vector<Index> material_numbers(const io::PolygonSoup& soup) {
+  std::map<std::string, Index> number;
+  std::vector<Index> of_faces;
+  for (const std::uint32_t section : soup.face_section)
+    of_faces.push_back(number.try_emplace(soup.sections[section].material, static_cast<Index>(number.size())).first->second);
+  return of_faces;
+}
+
 void convert(SurfaceFile& file) {
   for (const auto& p : file.soup.positions) file.input.positions.push_back(vec(p));
   for (const auto& p : file.soup.texcoords) file.input.texcoords.push_back(vec(p));
+  const std::vector<Index> materials = material_numbers(file.soup);
   io::TriangleSoup kept;
   std::size_t repeated = 0, partly = 0;
   for (std::size_t t = 0; t < file.triangles.triangles.size(); ++t) {
@@ -41,6 +52,7 @@ void convert(SurfaceFile& file) {
     std::array<TexturedTriangles::Corner, 3> triangle;
     for (std::size_t i = 0; i < 3; ++i) triangle[i] = {corners[i].v, with == 3 ? corners[i].vt : -1};
     file.input.triangles.push_back(triangle);
+    if (!materials.empty()) file.input.labels.push_back(materials[file.triangles.polygon[t]]);
     kept.triangles.push_back(corners);
     kept.polygon.push_back(file.triangles.polygon[t]);
   }

@@ -21,9 +21,9 @@ struct DecimateOptions {
   DecimateCost cost = DecimateCost::quadric;
   /// Stop at this many triangles or fewer. 0: no such target.
   std::size_t faces = 0;
-  /// Stop before a collapse whose cost exceeds this length: root mean square distance to the merged planes
-  /// (quadric), or edge length (length), relative to the diagonal of the bounding box. An estimate, not a
-  /// bound on the distance of the surfaces.
+  /// Stop before a collapse whose cost exceeds this length, relative to the diagonal of the bounding box.
+  /// Quadric: root mean square distance to the planes merged so far, those through boundaries and seams
+  /// counted `curve_weight` times; length: edge length. An estimate, no bound on the surfaces' distance.
   double max_error = std::numeric_limits<double>::infinity();
   /// Weight of planes through boundary edges and seams, orthogonal to the surface, relative to the surface's.
   double curve_weight = 10;

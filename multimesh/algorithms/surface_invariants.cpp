@@ -80,6 +80,9 @@ bool NormalTurn::keeps_normals(const Mesh& mesh, Dart end, Index other, const Ve
 
 namespace {
 
+/// Doubled area that counts as none, relative to the squared diagonal of the bounding box.
+constexpr double relative_no_area = 1e-11;
+
 double doubled_area(const std::array<Vec2d, 3>& t) {
   const Vec2d u = t[1] - t[0], v = t[2] - t[0];
   return u[0] * v[1] - u[1] * v[0];
@@ -97,38 +100,43 @@ double bounding_box_diagonal(const std::vector<Vec2d>& points) {
 TextureOrientation::TextureOrientation(const MultiMesh& tree, NodeId texture, const std::vector<Vec2d>& texcoords)
     : Invariant("texture orientation", texture), texture_(texture), texcoords_(texcoords) {
   const double diagonal = bounding_box_diagonal(texcoords);
-  no_area_ = 1e-11 * diagonal * diagonal;
+  no_area_ = relative_no_area * diagonal * diagonal;
   orient_charts(tree.mesh(texture));
 }
 
 void TextureOrientation::orient_charts(const Mesh& mesh) {
-  chart_sign_.assign(mesh.capacity(2), 0);
-  std::vector<bool> seen(mesh.capacity(2), false);
+  chart_of_.assign(mesh.capacity(2), no_index);
   std::vector<Index> chart;
+  std::vector<Vec2d> points;
   for (Index start = 0; start < mesh.capacity(2); ++start) {
-    if (seen[start] || !mesh.is_live(2, start)) continue;
-    seen[start] = true;
+    if (chart_of_[start] != no_index || !mesh.is_live(2, start)) continue;
+    const auto id = static_cast<Index>(charts_.size());
+    chart_of_[start] = id;
     chart.assign(1, start);
+    points.clear();
     double total = 0;
     for (std::size_t i = 0; i < chart.size(); ++i) {
       Dart d = mesh.dart_of(2, chart[i]);
       std::array<Index, 4> v{};
       mesh.vertices(d, v.data());
       total += doubled_area({texcoords_[v[0]], texcoords_[v[1]], texcoords_[v[2]]});
+      for (std::size_t j = 0; j < 3; ++j) points.push_back(texcoords_[v[j]]);
       for (int side = 0; side < 3; ++side, d = mesh.reorder(d, edge_bx)) {
         const Dart across = mesh.switch_dart(d, 2);
-        if (across == no_dart || seen[mesh.facet(across)]) continue;
-        seen[mesh.facet(across)] = true;
+        if (across == no_dart || chart_of_[mesh.facet(across)] != no_index) continue;
+        chart_of_[mesh.facet(across)] = id;
         chart.push_back(mesh.facet(across));
       }
     }
-    for (const Index f : chart) chart_sign_[f] = total > 0 ? 1 : total < 0 ? -1 : 0;
+    const double diagonal = bounding_box_diagonal(points);
+    charts_.push_back({static_cast<signed char>(total > 0 ? 1 : total < 0 ? -1 : 0),
+                       relative_no_area * diagonal * diagonal});
   }
 }
 
-int TextureOrientation::sign(const Triangle& t) const {
-  const double area = doubled_area(t);
-  return area > no_area_ ? 1 : area < -no_area_ ? -1 : 0;
+int TextureOrientation::sign(double area, Index facet) const {
+  const double none = charts_[chart_of_[facet]].no_area;
+  return area > none ? 1 : area < -none ? -1 : 0;
 }
 
 bool TextureOrientation::before(const Event& event) {
@@ -151,9 +159,12 @@ bool TextureOrientation::keeps_signs(const Mesh& mesh, Dart end, Index other, co
     std::array<Index, 4> v{};
     mesh.vertices(d, v.data());
     if (v[1] == other || v[2] == other) continue;
-    const int had = sign({texcoords_[v[0]], texcoords_[v[1]], texcoords_[v[2]]});
-    const int has = sign({moved, texcoords_[v[1]], texcoords_[v[2]]});
-    if (has != had && has != chart_sign_[mesh.facet(d)]) return false;
+    const Index facet = mesh.facet(d);
+    const double before = doubled_area({texcoords_[v[0]], texcoords_[v[1]], texcoords_[v[2]]});
+    const double after = doubled_area({moved, texcoords_[v[1]], texcoords_[v[2]]});
+    const int had = sign(before, facet), has = sign(after, facet);
+    if (has != had && has != charts_[chart_of_[facet]].sign) return false;
+    if (std::abs(before) > no_area_ && std::abs(after) <= no_area_) return false;
   }
   return true;
 }

@@ -50,15 +50,21 @@ class TextureOrientation final : public Invariant {
   bool before(const Event& event) override;
 
  private:
-  using Triangle = std::array<OpenMesh::Vec2d, 3>;
-  int sign(const Triangle& t) const;
+  int sign(double area, Index facet) const;
   bool keeps_signs(const Mesh& mesh, Dart end, Index other, const OpenMesh::Vec2d& moved);
   void orient_charts(const Mesh& mesh);
 
   NodeId texture_;
   const std::vector<OpenMesh::Vec2d>& texcoords_;
-  double no_area_;                    ///< twice the area below which a triangle counts as having none
-  std::vector<signed char> chart_sign_;  ///< per facet
+  // Areas are doubled here. Below these a triangle counts as having none: per chart, since its neighbours may
+  // be far larger; and a triangle that is above the one of the whole texture may not fall below it.
+  struct Chart {
+    signed char sign = 0;
+    double no_area = 0;
+  };
+  double no_area_;
+  std::vector<Chart> charts_;
+  std::vector<Index> chart_of_;  ///< per facet
   DartBuffer star_;
 };
 

@@ -67,20 +67,26 @@ MeshReport report(const Mesh& mesh) {
 
 SeamReport report_seams(const TexturedSurface& surface) {
   SeamReport r;
-  if (!surface.seams()) return r;
+  if (!surface.seams() || !surface.texture()) return r;
   const NodeId seams = *surface.seams();
   const Mesh& curves = surface.tree().mesh(seams);
-  const MeshReport mesh = report(curves);
-  r.edges = mesh.edges;
-  r.curves = mesh.components;
-  std::vector<Index> degree(surface.tree().mesh(NodeId::root).capacity(0), 0);
+  const Mesh& root = surface.tree().mesh(NodeId::root);
+  const Mesh& texture = surface.tree().mesh(*surface.texture());
+  DisjointSets pieces(curves.capacity(0));
+  std::vector<Index> degree(root.capacity(0), 0);
+  DartBuffer copies;
   for (Index e = 0; e < curves.capacity(1); ++e) {
     if (!curves.is_live(1, e)) continue;
-    const Dart d = surface.tree().to_parent(seams, curves.dart_of(1, e));
-    const Mesh& root = surface.tree().mesh(NodeId::root);
+    const Dart own = curves.dart_of(1, e), d = surface.tree().to_parent(seams, own);
+    copies.clear();
+    surface.tree().to_child(*surface.texture(), d, 1, copies);
+    if (copies.empty() || !texture.is_boundary(copies[0], 1)) continue;  // a border of another kind
+    ++r.edges;
+    pieces.join(curves.vertex(own), curves.vertex(curves.switch_dart(own, 0)));
     ++degree[root.vertex(d)];
     ++degree[root.vertex(root.switch_dart(d, 0))];
   }
+  r.curves = pieces.count();
   r.ends = static_cast<std::size_t>(std::count(degree.begin(), degree.end(), 1));
   r.junctions = static_cast<std::size_t>(std::count_if(degree.begin(), degree.end(), [](Index n) { return n > 2; }));
   return r;

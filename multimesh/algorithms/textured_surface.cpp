@@ -90,6 +90,9 @@ class Builder {
 };
 
 void Builder::run() {
+  if (!input_.labels.empty() && input_.labels.size() != input_.triangles.size())
+    throw InputError(std::to_string(input_.labels.size()) + " labels for " +
+                     std::to_string(input_.triangles.size()) + " triangles; give one each, or none");
   for (std::size_t t = 0; t < input_.triangles.size(); ++t) check_corners(input_, t);
   add_surface();
   lock_copies();
@@ -169,17 +172,19 @@ void Builder::add_texture() {
 }
 
 // What runs along an edge: nothing (0), a seam between two charts or two places of one (1), the border of the
-// texture (2); and the border of triangles that were turned round (4).
+// texture (2); the border of triangles that were turned round (4), and that between labels (8).
 int Builder::curve_kind(Index edge) const {
   const Mesh& root = out_.tree->mesh(NodeId::root);
   const Dart e = root.dart_of(1, edge);
   if (root.is_boundary(e, 1)) return 0;
-  const int turned = (*out_.reversed)[root.facet(e)] != (*out_.reversed)[root.facet(root.switch_dart(e, 2))] ? 4 : 0;
-  if (!out_.texture) return turned;
+  const Index f = root.facet(e), g = root.facet(root.switch_dart(e, 2));
+  const bool labels_differ = !input_.labels.empty() && input_.labels[f] != input_.labels[g];
+  const int borders = ((*out_.reversed)[f] != (*out_.reversed)[g] ? 4 : 0) | (labels_differ ? 8 : 0);
+  if (!out_.texture) return borders;
   DartBuffer copies;
   out_.tree->to_child(*out_.texture, e, 1, copies);
-  if (copies.size() == 2) return 1 | turned;
-  return (copies.size() == 1 && out_.tree->mesh(*out_.texture).is_boundary(copies[0], 1) ? 2 : 0) | turned;
+  if (copies.size() == 2) return 1 | borders;
+  return (copies.size() == 1 && out_.tree->mesh(*out_.texture).is_boundary(copies[0], 1) ? 2 : 0) | borders;
 }
 
 void Builder::add_seams() {

@@ -20,6 +20,8 @@ struct TexturedTriangles {
   std::vector<OpenMesh::Vec3d> positions;  ///< #V
   std::vector<OpenMesh::Vec2d> texcoords;  ///< #VT
   std::vector<std::array<Corner, 3>> triangles;
+  /// A label per triangle, or empty: materials, for instance. Borders between labels are kept as curves.
+  std::vector<Index> labels;
 };
 
 /// What had to be done to the input to make it manifold.
@@ -34,9 +36,9 @@ struct CutReport {
 ///      surface (positions)            the root: triangles, cut where they are not manifold
 ///       /              \              .
 ///    texture (UVs)    seams            texture: the triangles with texture coordinates, one vertex per
-///                                     corner class; seams: the curves where it is cut open, and those
-///                                     around triangles that had to be turned round, ending at their
-///                                     junctions and wherever their kind changes
+///                                     corner class; seams: the curves where it is cut open, those
+///                                     between labels, and those around triangles that had to be turned
+///                                     round, ending at their junctions and wherever their kind changes
 ///
 /// Two corners at one position are one vertex of the texture if their texture coordinates have equal values.
 /// Copies of one input vertex are locked, so that they can be joined again.

@@ -26,7 +26,7 @@ TEST(EdgeQueue, PopsInTheOrderOfAnOrderedSet) {
     };
     for (int burst = 0; burst < 40; ++burst) {
       for (auto n = random() % 3000; n-- > 0;) {
-        const Index e = random() % 20'000;
+        const auto e = static_cast<Index>(random() % 20'000);
         erase(e);
         if (random() % 10 == 0) {
           queue.erase(e);
@@ -38,7 +38,7 @@ TEST(EdgeQueue, PopsInTheOrderOfAnOrderedSet) {
         expected.insert({c, e});
       }
       for (auto n = random() % 2500; n-- > 0;) {
-        EdgeQueue::Entry least;
+        EdgeQueue::Entry least{};
         ASSERT_EQ(queue.pop(least), !expected.empty());
         if (expected.empty()) break;
         ASSERT_EQ(std::pair(least.cost, least.edge), *expected.begin());
