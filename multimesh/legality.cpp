@@ -148,22 +148,25 @@ bool Legality::no_contact(const MultiMesh& tree, const Copies& copies, std::uint
   const Copy& e = copies[i];
   const Mesh& mesh = tree.mesh(e.node);
   const auto children = tree.children(e.node);
-  const auto labels = [&](Dart d, int k) {
-    std::uint64_t set = k < mesh.dimension() && mesh.is_boundary(d, k) ? 1 : 0;
-    for (std::size_t c = 0; c < children.size(); ++c)
-      if (tree.has_preimage(e.node, d, k, children[c])) set |= std::uint64_t{2} << c;
-    return set;
+  // Whether a label is on both sides of what will be one simplex, here an `a` and there a `b`, but not on
+  // the simplex in between, `both`.
+  const auto new_contact = [&](Dart a, Dart b, Dart both, int k) {
+    bool extra_a = false, extra_b = false;
+    const auto compare = [&](const auto& has_label) {
+      if (has_label(both, k + 1)) return;
+      extra_a = extra_a || has_label(a, k);
+      extra_b = extra_b || has_label(b, k);
+    };
+    compare([&](Dart d, int j) { return j < mesh.dimension() && mesh.is_boundary(d, j); });
+    for (const NodeId child : children)
+      compare([&](Dart d, int j) { return tree.has_preimage(e.node, d, j, child); });
+    return extra_a && extra_b;
   };
-  const auto new_contact = [](std::uint64_t a, std::uint64_t b, std::uint64_t both) {
-    return (a & ~both) != 0 && (b & ~both) != 0;
-  };
-  bool touches =
-      new_contact(labels(e.dart, 0), labels(mesh.reorder(e.dart, exchange_ends), 0), labels(e.dart, 1));
+  bool touches = new_contact(e.dart, mesh.reorder(e.dart, exchange_ends), e.dart, 0);
   if (!touches && mesh.dimension() == 2) {
     mesh.star(e.dart, 1, star_);
     for (const Dart t : star_)
-      touches |= new_contact(labels(mesh.reorder(t, edge_ax), 1),
-                             labels(mesh.reorder(t, edge_bx), 1), labels(t, 2));
+      touches = touches || new_contact(mesh.reorder(t, edge_ax), mesh.reorder(t, edge_bx), t, 1);
   }
   if (touches) verdict.refusal = {Check::contact, e.node, {}};
   return !touches;

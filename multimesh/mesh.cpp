@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/mesh.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace multimesh {
+
+void check_simplices_differ(const Mesh& mesh, int k, std::vector<std::string>& problems) {
+  std::vector<std::pair<std::array<Index, 4>, Index>> all;
+  for (Index s = 0; s < mesh.capacity(k); ++s) {
+    if (!mesh.is_live(k, s)) continue;
+    std::array<Index, 4> v{no_index, no_index, no_index, no_index};
+    mesh.vertices(mesh.dart_of(k, s), v.data());
+    std::fill(v.begin() + k + 1, v.end(), no_index);
+    std::sort(v.begin(), v.end());
+    all.emplace_back(v, s);
+  }
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i].first == all[i - 1].first)
+      problems.push_back(std::to_string(k) + "-simplices " + std::to_string(all[i - 1].second) + " and " +
+                         std::to_string(all[i].second) + " have the same vertices");
+}
 
 Permutation matching(const Index* from, const Index* to, int k) {
   int p[4] = {0, 1, 2, 3};

@@ -150,6 +150,10 @@ class Mesh {
   int dimension_;
 };
 
+/// Appends a sentence for every two k-simplices with the same vertices: in a proper simplicial complex there
+/// are none. Cost: sorting.
+void check_simplices_differ(const Mesh& mesh, int k, std::vector<std::string>& problems);
+
 /// The permutation p of the first k+1 positions with from[p[i]] == to[i]; k <= 3.
 /// \pre both orderings have the same first k+1 vertices, in some order
 Permutation matching(const Index* from, const Index* to, int k);

@@ -42,6 +42,7 @@ Outcome Propagation::collapse(NodeId n, Dart e, const Chooser& choose) {
 }
 
 Outcome Propagation::collapse_judged(std::size_t asked, double t) {
+  if (!(t >= 0 && t <= 1)) throw UsageError("the new vertex must lie on the edge: 0 <= t <= 1");
   // The end that keeps its place survives, and with it its index and every property.
   if (t <= 0) {
     for (Copy& c : copies_.all()) c.dart = tree_.mesh(c.node).reorder(c.dart, exchange_ends);

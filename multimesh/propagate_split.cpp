@@ -7,6 +7,7 @@
 namespace multimesh {
 
 Outcome Propagation::split(NodeId n, Dart e, double t) {
+  if (!(t >= 0 && t <= 1)) throw UsageError("the new vertex must lie on the edge: 0 <= t <= 1");
   start(n, e, 1);
   const std::size_t asked = copy_of(n, e, 1);
   const Event event{tree_, Operation::split, copies_, t};

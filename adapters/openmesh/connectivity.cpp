@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/openmesh/connectivity.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "multimesh/error.hpp"
@@ -33,9 +34,21 @@ Connectivity::~Connectivity() {
   for (std::size_t i = 0; i < links_.size(); ++i)
     if (links_[i].used) remove_links(static_cast<LinkSet>(i));
   om_.remove_property(attached_);
+  const auto has_dead = [](const Status& list) {
+    return std::any_of(list.begin(), list.end(), [](const auto& s) { return s.deleted(); });
+  };
+  if (has_dead(*vertex_status_) || has_dead(*edge_status_) || has_dead(*face_status_)) return;
   om_.release_vertex_status();
   om_.release_edge_status();
   om_.release_face_status();
+}
+
+void Connectivity::require_valid() const {
+  std::vector<std::string> problems;
+  check(problems);
+  if (problems.empty())
+    for (int k = 1; k <= dimension(); ++k) check_simplices_differ(*this, k, problems);
+  if (!problems.empty()) throw InputError(problems.front() + "; cut the mesh first (multimesh::cut)");
 }
 
 void Connectivity::refuse_double_attachment() const {
@@ -110,9 +123,12 @@ int Connectivity::new_face() {
   return om_.ArrayKernel::new_face().idx();
 }
 
-void Connectivity::copy_edge_properties(int from, int to) {
+void Connectivity::copy_edge_properties(int from_halfedge, int to_halfedge) {
   for (auto p = om_.eprops_begin(); p != om_.eprops_end(); ++p)
-    if (*p) (*p)->copy(at(from), at(to));
+    if (*p) (*p)->copy(at(from_halfedge >> 1), at(to_halfedge >> 1));
+  for (auto p = om_.hprops_begin(); p != om_.hprops_end(); ++p)
+    if (*p)
+      for (const int side : {0, 1}) (*p)->copy(at(from_halfedge ^ side), at(to_halfedge ^ side));
 }
 
 void Connectivity::copy_face_properties(int from, int to) {

@@ -45,6 +45,8 @@ class Connectivity : public Mesh {
 
  protected:
   Connectivity(int dimension, OpenMesh::PolyConnectivity& om);
+  /// \throw InputError with the first problem of check(), or two simplices with the same vertices
+  void require_valid() const;
   /// Keeps a mesh that was made for this adapter.
   void own(std::unique_ptr<OpenMesh::PolyConnectivity> om) noexcept { owned_ = std::move(om); }
 
@@ -71,7 +73,7 @@ class Connectivity : public Mesh {
   int new_vertex();
   int new_edge(int from, int to);  // its even halfedge
   int new_face();
-  void copy_edge_properties(int from, int to);
+  void copy_edge_properties(int from_halfedge, int to_halfedge);  // and those of both halfedges
   void copy_face_properties(int from, int to);
 
   using Status = std::vector<OpenMesh::Attributes::StatusInfo>;

@@ -7,13 +7,11 @@
 
 namespace multimesh::openmesh {
 
-EdgeMesh::EdgeMesh(OpenMesh::PolyConnectivity& om) : Connectivity(1, om) {
-  std::vector<std::string> problems;
-  check(problems);
-  if (!problems.empty()) throw InputError("not an edge mesh of chains and loops: " + problems.front());
-}
+EdgeMesh::EdgeMesh(OpenMesh::PolyConnectivity& om) : Connectivity(1, om) { require_valid(); }
 
-EdgeMesh::EdgeMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : EdgeMesh(*om) { own(std::move(om)); }
+EdgeMesh::EdgeMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : Connectivity(1, *om) {
+  own(std::move(om));
+}
 
 Index EdgeMesh::capacity(int k) const {
   return static_cast<Index>(k == 0 ? om_.n_vertices() : om_.n_edges());
@@ -68,7 +66,7 @@ void EdgeMesh::split_edge(Dart e, SplitRecord& record) {
   const int after = next(h), before_back = prev(o);
   const int c = new_vertex();
   const int n = new_edge(c, b), m = n ^ 1;
-  copy_edge_properties(h >> 1, n >> 1);
+  copy_edge_properties(h, n);
   set_to(h, c);
   if (after == o) {  // b is the end of a chain
     set_next(n, m);

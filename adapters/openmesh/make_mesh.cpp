@@ -17,10 +17,25 @@ using OpenMesh::VertexHandle;
 
 VertexHandle vertex(Index v) { return VertexHandle(static_cast<int>(v)); }
 
+/// OpenMesh reports faces that do not fit on its error stream; libraries print nothing.
+class Silence {
+ public:
+  Silence() : was_enabled_(::omerr().is_enabled()) { ::omerr().disable(); }
+  ~Silence() {
+    if (was_enabled_) ::omerr().enable();
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  bool was_enabled_;
+};
+
 std::unique_ptr<PolyConnectivity> make_triangles(const FacetList& list) {
   auto om = std::make_unique<PolyConnectivity>();
   om->reserve(list.vertices, 3 * list.size() / 2 + list.vertices / 8, list.size());
   om->resize(list.vertices, 0, 0);
+  const Silence silence;
   for (std::size_t f = 0; f < list.size(); ++f) {
     const auto v = list.facet(f);
     const std::array<VertexHandle, 3> corners{vertex(v[0]), vertex(v[1]), vertex(v[2])};
@@ -61,6 +76,12 @@ std::unique_ptr<PolyConnectivity> make_edges(const FacetList& list) {
 }  // namespace
 
 std::unique_ptr<Mesh> make_mesh(const FacetList& list) {
+  if (list.dimension < 1 || list.dimension > 2)
+    throw InputError("OpenMesh holds edge and triangle meshes, not dimension " + std::to_string(list.dimension));
+  for (std::size_t c = 0; c < list.corners.size(); ++c)
+    if (list.corners[c] >= list.vertices)
+      throw InputError("facet " + std::to_string(c / list.corners_per_facet()) + " names vertex " +
+                       std::to_string(list.corners[c]) + " of " + std::to_string(list.vertices));
   if (list.dimension == 1) return std::make_unique<EdgeMesh>(make_edges(list));
   return std::make_unique<TriangleMesh>(make_triangles(list));
 }

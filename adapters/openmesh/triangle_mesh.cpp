@@ -9,9 +9,12 @@
 
 namespace multimesh::openmesh {
 
-TriangleMesh::TriangleMesh(OpenMesh::PolyConnectivity& om) : Connectivity(2, om) { require_triangles(); }
+TriangleMesh::TriangleMesh(OpenMesh::PolyConnectivity& om) : Connectivity(2, om) {
+  require_triangles();
+  require_valid();
+}
 
-TriangleMesh::TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : TriangleMesh(*om) {
+TriangleMesh::TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : Connectivity(2, *om) {
   own(std::move(om));
 }
 
@@ -218,7 +221,7 @@ void TriangleMesh::split_edge(Dart e, SplitRecord& record) {
 
   const int c = new_vertex();
   const int n = new_edge(a, c), m = n ^ 1;
-  copy_edge_properties(h >> 1, n >> 1);
+  copy_edge_properties(h, n);
   set_to(o, c);
   record.facets.clear();
   record.words.clear();

@@ -12,8 +12,10 @@ namespace multimesh::openmesh {
 class TriangleMesh final : public Connectivity {
  public:
   /// Attaches a mesh of the user's, in place. \throw InputError naming the first face that is not a
-  /// triangle or vertex that is not manifold; UsageError if it is attached already
+  /// triangle, vertex that is not manifold, or pair of simplices with the same vertices; UsageError if it is
+  /// attached already
   explicit TriangleMesh(OpenMesh::PolyConnectivity& om);
+  /// Keeps a mesh. \pre as for the other constructor; not checked
   explicit TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om);
 
   static OpenMesh::HalfedgeHandle halfedge(Dart d) { return handle(half(d)); }

@@ -23,7 +23,10 @@ std::unique_ptr<Mesh> shaken(const FacetList& list, unsigned seed) {
 
 FacetList chain(Index n) {
   FacetList list{1, n + 1, {}};
-  for (Index i = 0; i < n; ++i) list.corners.insert(list.corners.end(), {i, i + 1});
+  for (Index i = 0; i < n; ++i) {
+    list.corners.push_back(i);
+    list.corners.push_back(i + 1);
+  }
   return list;
 }
 
