@@ -32,7 +32,9 @@ class Attribute {
 
 /// Types with a weighted mean; others take the value of the nearer end.
 template <class T>
-concept Interpolable = !std::is_integral_v<T> && requires(const T& a) { T(a * 0.5 + a * 0.5); };
+concept Interpolable = !std::is_integral_v<T> && requires(const T& a) {
+  T(a * 0.5 + a * 0.5);
+};
 
 /// A vertex attribute over a std::vector that grows with its mesh (an OpenMesh property's data_vector()).
 /// The default rule interpolates: (1-t) a + t b at the new or merged vertex. Another rule may be given,

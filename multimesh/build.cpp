@@ -53,7 +53,8 @@ NodeId add_child_from_tags(MultiMesh& tree, NodeId parent, int k, const std::fun
   const Mesh& above = tree.mesh(parent);
   if (k < 1 || k > above.dimension())
     throw InputError("tags on " + std::to_string(k) + "-simplices of a mesh of dimension " +
-                     std::to_string(above.dimension()) + ": children have dimension 1 or more, and at most "
+                     std::to_string(above.dimension()) +
+                     ": children have dimension 1 or more, and at most "
                      "that of their parent");
   FacetList facets{k, above.capacity(0), {}};
   std::vector<Dart> darts;
@@ -65,7 +66,8 @@ NodeId add_child_from_tags(MultiMesh& tree, NodeId parent, int k, const std::fun
     facets.corners.insert(facets.corners.end(), v.begin(), v.begin() + k + 1);
     darts.push_back(d);
   }
-  if (darts.empty()) throw InputError("no " + std::to_string(k) + "-simplex is tagged: the child would be empty");
+  if (darts.empty())
+    throw InputError("no " + std::to_string(k) + "-simplex is tagged: the child would be empty");
 
   const Cut pieces = cut(facets, options);
   std::unique_ptr<Mesh> mesh = make(pieces.facets);

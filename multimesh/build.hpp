@@ -14,9 +14,8 @@ using MeshFactory = std::function<std::unique_ptr<Mesh>(const FacetList&)>;
 /// parent with the vertices parent.facet(i), in corresponding order (OBJ v/vt pairs; a periodic tile over
 /// its torus). `parent_facets`: per child facet, a parent facet that contains that simplex.
 /// \throw InputError if a facet's vertices do not correspond, naming it; the tree is unchanged then
-NodeId add_child_by_facets(MultiMesh& tree, NodeId parent, const FacetList& child,
-                           const FacetList& over, std::span<const Index> parent_facets,
-                           const MeshFactory& make);
+NodeId add_child_by_facets(MultiMesh& tree, NodeId parent, const FacetList& child, const FacetList& over,
+                           std::span<const Index> parent_facets, const MeshFactory& make);
 
 /// The tagged k-simplices of a mesh as a child, 1 <= k <= its dimension, cut to be manifold.
 /// `tagged` is asked once per live k-simplex index. \throw InputError if none is tagged

@@ -11,8 +11,8 @@ namespace multimesh {
 /// One of the places where a simplex of the root occurs in the tree.
 struct Copy {
   NodeId node = NodeId::root;
-  Dart dart = no_dart;        ///< its first k+1 vertices map to those of the root's dart, in order
-  std::uint32_t above = 0;    ///< position in the list of the copy of the parent that it maps to
+  Dart dart = no_dart;      ///< its first k+1 vertices map to those of the root's dart, in order
+  std::uint32_t above = 0;  ///< position in the list of the copy of the parent that it maps to
 };
 
 /// All copies of a simplex of the root, parents before children, those of one node side by side.

@@ -37,7 +37,9 @@ struct Side {
 };
 
 /// Two vertices in any order, as one word: comparing arrays calls memcmp.
-std::uint64_t key_of(Index v, Index w) { return std::uint64_t{std::min(v, w)} << 32 | std::max(v, w); }
+std::uint64_t key_of(Index v, Index w) {
+  return std::uint64_t{std::min(v, w)} << 32 | std::max(v, w);
+}
 
 class Cutter {
  public:
@@ -85,7 +87,8 @@ class Cutter {
     std::sort(at.begin(), at.end());
     for (std::size_t i = 0, j; i < at.size(); i = j) {
       for (j = i; j < at.size() && at[j][0] == at[i][0];) ++j;
-      if (j - i == 2 && !(options_.ends_at && options_.ends_at(at[i][0]))) classes_.join(at[i][1], at[i + 1][1]);
+      if (j - i == 2 && !(options_.ends_at && options_.ends_at(at[i][0])))
+        classes_.join(at[i][1], at[i + 1][1]);
     }
   }
 

@@ -12,7 +12,7 @@ namespace multimesh {
 /// Facets by their vertices, dimension + 1 each, side by side: #F x (dimension + 1).
 struct FacetList {
   int dimension = 2;
-  Index vertices = 0;          ///< indices are below this
+  Index vertices = 0;  ///< indices are below this
   std::vector<Index> corners;
 
   std::size_t size() const noexcept { return corners.size() / corners_per_facet(); }
@@ -25,8 +25,8 @@ struct FacetList {
 /// Facets made manifold: the same ones in the same order, with vertices split where it was necessary.
 struct Cut {
   FacetList facets;
-  std::vector<Index> source;    ///< per new vertex: the one that it is a copy of
-  std::vector<bool> reversed;   ///< per facet: whether its first two corners were exchanged
+  std::vector<Index> source;   ///< per new vertex: the one that it is a copy of
+  std::vector<bool> reversed;  ///< per facet: whether its first two corners were exchanged
 };
 
 struct CutOptions {

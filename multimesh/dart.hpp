@@ -18,7 +18,9 @@ inline constexpr Index no_index = ~Index{0};
 enum class Dart : std::uint32_t { none = ~std::uint32_t{0} };
 inline constexpr Dart no_dart = Dart::none;
 
-constexpr std::uint32_t code(Dart d) noexcept { return static_cast<std::uint32_t>(d); }
+constexpr std::uint32_t code(Dart d) noexcept {
+  return static_cast<std::uint32_t>(d);
+}
 
 /// The stored pair of a containment map, one per child facet: with own = (v0,...,vk), the map takes
 /// v0,...,vk to the first k+1 vertices of `parent`.

@@ -69,7 +69,8 @@ class EdgeQueue {
 
   void refill() {
     boundary_ = next_boundary();
-    const auto due = std::partition(far_.begin(), far_.end(), [&](const Entry& e) { return later(e, boundary_); });
+    const auto due =
+        std::partition(far_.begin(), far_.end(), [&](const Entry& e) { return later(e, boundary_); });
     std::copy_if(due, far_.end(), std::back_inserter(near_), [&](const Entry& e) { return is_current(e); });
     far_.erase(due, far_.end());
     std::make_heap(near_.begin(), near_.end(), later);

@@ -26,7 +26,7 @@ struct VertexChange {
   Index vertex;  ///< the new vertex (split), the surviving one (collapse: a or b), the moved one (a == b)
   double t;      ///< it is the point (1-t) a + t b
   NodeId node;
-  Index above;   ///< the image of `vertex` in the parent's mesh; no_index in the root
+  Index above;  ///< the image of `vertex` in the parent's mesh; no_index in the root
 };
 
 }  // namespace multimesh

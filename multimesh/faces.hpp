@@ -42,8 +42,8 @@ constexpr auto make_all_faces() {
   for (int d = 1; d <= 3; ++d)
     for (int j = 1; j <= d; ++j)
       for (int k = -1; k <= j; ++k)
-        all[static_cast<std::size_t>(d - 1)][static_cast<std::size_t>(j - 1)][static_cast<std::size_t>(k + 1)] =
-            make_faces(d, j, k);
+        all[static_cast<std::size_t>(d - 1)][static_cast<std::size_t>(j - 1)]
+           [static_cast<std::size_t>(k + 1)] = make_faces(d, j, k);
   return all;
 }
 inline constexpr auto all_faces = make_all_faces();

@@ -7,14 +7,22 @@ namespace multimesh {
 
 std::string_view to_string(Check check) noexcept {
   switch (check) {
-    case Check::none: return "none";
-    case Check::link_condition: return "link condition";
-    case Check::gluing: return "gluing";
-    case Check::placement: return "placement";
-    case Check::contact: return "contact";
-    case Check::locked: return "locked";
-    case Check::flip: return "flip";
-    case Check::invariant: return "invariant";
+    case Check::none:
+      return "none";
+    case Check::link_condition:
+      return "link condition";
+    case Check::gluing:
+      return "gluing";
+    case Check::placement:
+      return "placement";
+    case Check::contact:
+      return "contact";
+    case Check::locked:
+      return "locked";
+    case Check::flip:
+      return "flip";
+    case Check::invariant:
+      return "invariant";
   }
   return "?";
 }

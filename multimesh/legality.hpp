@@ -9,14 +9,14 @@ namespace multimesh {
 
 /// Why an operation was refused.
 enum class Check : std::uint8_t {
-  none,             ///< not refused
-  link_condition,   ///< L: a mesh would change its topology, or stop being a complex
-  gluing,           ///< U: parts of a child's image would be glued that the child keeps apart
-  placement,        ///< P: both ends must keep their place, or the one that must not was asked to
-  contact,          ///< C: siblings, or a child and the boundary, would get into new contact
-  locked,           ///< G: both ends are labelled points, or a labelled point was asked to move
-  flip,             ///< a swap of an edge that is on a boundary, a seam or a child, or whose flip exists
-  invariant,        ///< an invariant of the algorithm said no
+  none,            ///< not refused
+  link_condition,  ///< L: a mesh would change its topology, or stop being a complex
+  gluing,          ///< U: parts of a child's image would be glued that the child keeps apart
+  placement,       ///< P: both ends must keep their place, or the one that must not was asked to
+  contact,         ///< C: siblings, or a child and the boundary, would get into new contact
+  locked,          ///< G: both ends are labelled points, or a labelled point was asked to move
+  flip,            ///< a swap of an edge that is on a boundary, a seam or a child, or whose flip exists
+  invariant,       ///< an invariant of the algorithm said no
 };
 
 std::string_view to_string(Check check) noexcept;

@@ -19,8 +19,11 @@ void check_simplices_differ(const Mesh& mesh, int k, std::vector<std::string>& p
   std::sort(all.begin(), all.end());
   for (std::size_t i = 1; i < all.size(); ++i)
     if (all[i].first == all[i - 1].first)
-      problems.push_back(std::to_string(k) + "-simplices " + std::to_string(all[i - 1].second) + " and " +
-                         std::to_string(all[i].second) + " have the same vertices");
+      problems.push_back(std::string(k == 1   ? "edges "
+                                     : k == 2 ? "faces "
+                                              : "tetrahedra ") +
+                         std::to_string(all[i - 1].second) + " and " + std::to_string(all[i].second) +
+                         " have the same vertices");
 }
 
 Permutation matching(const Index* from, const Index* to, int k) {

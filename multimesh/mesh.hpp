@@ -81,9 +81,9 @@ class Mesh {
   virtual bool is_live(int k, Index s) const = 0;
   virtual bool is_dart(Dart d) const = 0;  ///< a dart of a live facet
   virtual Index simplex(Dart d, int k) const = 0;
-  virtual Dart dart_of(int k, Index s) const = 0;         ///< some dart of s; no_dart if s has no facet
-  virtual Dart switch_dart(Dart d, int k) const = 0;      ///< no_dart across the boundary
-  virtual Dart reorder(Dart d, Permutation p) const = 0;  ///< another dart of the same facet
+  virtual Dart dart_of(int k, Index s) const = 0;           ///< some dart of s; no_dart if s has no facet
+  virtual Dart switch_dart(Dart d, int k) const = 0;        ///< no_dart across the boundary
+  virtual Dart reorder(Dart d, Permutation p) const = 0;    ///< another dart of the same facet
   virtual Permutation order(Dart from, Dart to) const = 0;  ///< p with reorder(from, p) == to; same facet
   virtual void vertices(Dart d, Index* out) const = 0;      ///< dimension()+1 of them, in order
 

@@ -22,7 +22,9 @@ const MultiMesh::Node& MultiMesh::node(NodeId n) const {
   return nodes_[index(n)];
 }
 
-MultiMesh::Node& MultiMesh::node(NodeId n) { return const_cast<Node&>(std::as_const(*this).node(n)); }
+MultiMesh::Node& MultiMesh::node(NodeId n) {
+  return const_cast<Node&>(std::as_const(*this).node(n));
+}
 
 void MultiMesh::remember_order() {
   top_down_.assign(1, NodeId::root);
@@ -122,7 +124,8 @@ NodeId MultiMesh::add_child(NodeId parent, std::unique_ptr<Mesh> child, std::spa
   const int k = child->dimension();
   const auto links = above.add_links(k);
   child->add_anchors();
-  nodes_.push_back({.mesh = std::move(child), .parent = parent, .links = links, .children = {}, .descendants = {}});
+  nodes_.push_back(
+      {.mesh = std::move(child), .parent = parent, .links = links, .children = {}, .descendants = {}});
   nodes_[index(parent)].children.push_back(id);
   remember_order();
   Mesh& below = mesh(id);
@@ -172,7 +175,9 @@ Dart MultiMesh::to_parent(NodeId child, Dart d) const {
   return nodes_[index(c.parent)].mesh->reorder(a.parent, below.order(a.own, d));
 }
 
-Dart MultiMesh::to_root(NodeId n, Dart d) const { return to_ancestor(n, d, NodeId::root); }
+Dart MultiMesh::to_root(NodeId n, Dart d) const {
+  return to_ancestor(n, d, NodeId::root);
+}
 
 Dart MultiMesh::to_ancestor(NodeId n, Dart d, NodeId ancestor) const {
   for (; n != ancestor; n = parent(n)) d = to_parent(n, d);

@@ -13,7 +13,9 @@ namespace multimesh {
 /// Names a mesh of a tree; stays valid when other meshes are added or removed.
 enum class NodeId : std::uint32_t { root = 0 };
 
-constexpr std::uint32_t index(NodeId n) noexcept { return static_cast<std::uint32_t>(n); }
+constexpr std::uint32_t index(NodeId n) noexcept {
+  return static_cast<std::uint32_t>(n);
+}
 
 /// A tree of meshes joined by containment maps: each child facet has an anchor, a dart of its own paired
 /// with a dart of its parent, from which the map child -> parent follows by equal switches on both sides.

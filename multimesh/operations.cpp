@@ -172,9 +172,8 @@ Outcome Propagation::relocate(NodeId n, Dart v, const std::function<void(const E
   stage();
   for (const Copy& c : copies_.all()) {
     const Index own = tree_.mesh(c.node).vertex(c.dart);
-    const Index above = c.node == NodeId::root
-                            ? no_index
-                            : tree_.mesh(tree_.parent(c.node)).vertex(copies_[c.above].dart);
+    const Index above =
+        c.node == NodeId::root ? no_index : tree_.mesh(tree_.parent(c.node)).vertex(copies_[c.above].dart);
     changes_.push_back({own, own, own, 0, c.node, above});
   }
   update_attributes(Operation::relocate);

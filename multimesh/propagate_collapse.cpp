@@ -24,7 +24,8 @@ Outcome Propagation::collapse(NodeId n, Dart e, Placement placement) {
   const CollapseVerdict verdict = legality_.collapse(tree_, copies_, legality_options_);
   if (verdict.refusal.refused()) return refuse(verdict.refusal);
   double t = placement.t;
-  if (const auto held = held_end(verdict, placement.respect_strata && !placement.strict); held && *held != t) {
+  if (const auto held = held_end(verdict, placement.respect_strata && !placement.strict);
+      held && *held != t) {
     if (placement.strict) return refuse({Check::placement, NodeId::root, {}});
     t = *held;
   }

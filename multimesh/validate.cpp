@@ -99,6 +99,8 @@ class Validator {
 
 }  // namespace
 
-std::vector<std::string> validate(const MultiMesh& tree) { return Validator(tree).run(); }
+std::vector<std::string> validate(const MultiMesh& tree) {
+  return Validator(tree).run();
+}
 
 }  // namespace multimesh

@@ -32,7 +32,8 @@ struct DecimateArguments {
 DecimateOptions options_of(const DecimateArguments& a, std::size_t faces) {
   DecimateOptions o;
   o.cost = a.cost == "length" ? DecimateCost::length : DecimateCost::quadric;
-  if (*a.ratio_given) o.faces = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(a.ratio * double(faces))));
+  if (*a.ratio_given)
+    o.faces = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(a.ratio * double(faces))));
   if (*a.faces_given) o.faces = a.faces;
   if (*a.error_given) o.max_error = a.max_error;
   return o;
@@ -40,9 +41,12 @@ DecimateOptions options_of(const DecimateArguments& a, std::size_t faces) {
 
 const char* to_string(DecimateResult::Stop stop) {
   switch (stop) {
-    case DecimateResult::Stop::faces: return "target number of faces";
-    case DecimateResult::Stop::max_error: return "maximal error";
-    case DecimateResult::Stop::exhausted: return "no edge left that may be collapsed";
+    case DecimateResult::Stop::faces:
+      return "target number of faces";
+    case DecimateResult::Stop::max_error:
+      return "maximal error";
+    case DecimateResult::Stop::exhausted:
+      return "no edge left that may be collapsed";
   }
   return "?";
 }
@@ -53,8 +57,9 @@ Json counts(const std::vector<RefusalCount>& list) {
   return j;
 }
 
-void write_report(const DecimateArguments& a, const DecimateOptions& o, const DecimateResult& r, const Json& before,
-                  const Json& after, double seconds, const std::vector<std::string>& warnings) {
+void write_report(const DecimateArguments& a, const DecimateOptions& o, const DecimateResult& r,
+                  const Json& before, const Json& after, double seconds,
+                  const std::vector<std::string>& warnings) {
   Json j;
   j["program"] = std::string("multimesh ") + version;
   j["input"] = a.input;
@@ -102,7 +107,8 @@ void run(const DecimateArguments& a) {
 
   DecimateOptions options = options_of(a, file.input.triangles.size());
   const bool show = !a.quiet && isatty(STDERR_FILENO);
-  if (show) options.progress = [](std::size_t faces) { std::cerr << "\r" << faces << " faces   " << std::flush; };
+  if (show)
+    options.progress = [](std::size_t faces) { std::cerr << "\r" << faces << " faces   " << std::flush; };
   const DecimateResult result = decimate(surface, options);
   if (show) std::cerr << "\r";
 
@@ -114,7 +120,8 @@ void run(const DecimateArguments& a) {
   std::cerr << result.faces_before << " faces -> " << result.faces_after << " in " << seconds
             << " s; stopped by: " << to_string(result.stop) << '\n';
   if (result.stop == DecimateResult::Stop::exhausted && options.faces > 0) {
-    std::cerr << "warning: the target of " << options.faces << " faces cannot be reached. Edges left, by what keeps them:";
+    std::cerr << "warning: the target of " << options.faces
+              << " faces cannot be reached. Edges left, by what keeps them:";
     for (const auto& [reason, count] : result.blocking) std::cerr << ' ' << reason << ' ' << count << ';';
     std::cerr << '\n';
   }
@@ -137,26 +144,35 @@ void add_decimate_command(CLI::App& app, int& exit_code) {
   command->add_option("IN", a->input, "textured OBJ (or PLY) file")->required();
   command->add_option("-o,--output", a->output, "OBJ file to write")->required();
   auto* targets = command->add_option_group("target", "exactly one");
-  a->ratio_given = targets->add_option("--ratio", a->ratio, "share of the faces to keep, in (0, 1]")
-                       ->check(number([](double r) { return r > 0 && r <= 1; }, "in (0, 1], for instance 0.1", "R"));
+  a->ratio_given =
+      targets->add_option("--ratio", a->ratio, "share of the faces to keep, in (0, 1]")
+          ->check(number([](double r) { return r > 0 && r <= 1; }, "in (0, 1], for instance 0.1", "R"));
   a->faces_given = targets->add_option("--faces", a->faces, "number of faces to keep")
                        ->check(number([](double n) { return n >= 1; }, "a whole number above 0", "N"));
   a->error_given =
-      targets->add_option("--max-error", a->max_error,
-                          "largest cost of a collapse, relative to the diagonal of the bounding box (0.001 = 0.1%)")
-          ->check(number([](double e) { return e > 0 && std::isfinite(e); }, "above 0, for instance 0.001", "E"));
+      targets
+          ->add_option(
+              "--max-error", a->max_error,
+              "largest cost of a collapse, relative to the diagonal of the bounding box (0.001 = 0.1%)")
+          ->check(
+              number([](double e) { return e > 0 && std::isfinite(e); }, "above 0, for instance 0.001", "E"));
   targets->require_option(1);
-  command->add_option("--cost", a->cost, "what is collapsed first: quadric (distance to the planes merged so far) or "
-                                         "length (shortest edge)")
+  command
+      ->add_option("--cost", a->cost,
+                   "what is collapsed first: quadric (distance to the planes merged so far) or "
+                   "length (shortest edge)")
       ->check(CLI::IsMember({"quadric", "length"}))
       ->capture_default_str();
   command->add_option("--report", a->report, "write what was done, and what stood in the way, as JSON");
   command->add_flag("--quiet", a->quiet, "print errors only");
   command->footer(
       "Example:  multimesh decimate cow.obj -o small.obj --ratio 0.1 --report report.json\n\n"
-      "Kept: the topology of the surface and of every chart, the graph of the seams, materials and groups of each\n"
-      "face. No triangle of the texture flips or loses its area. Polygons become triangles; normals are left out.\n"
-      "If topology does not allow the target, the file is written as small as it allows, a warning says what stands\n"
+      "Kept: the topology of the surface and of every chart, the graph of the seams, materials and groups of "
+      "each\n"
+      "face. No triangle of the texture flips or loses its area. Polygons become triangles; normals are left "
+      "out.\n"
+      "If topology does not allow the target, the file is written as small as it allows, a warning says what "
+      "stands\n"
       "in the way, and the report counts it.");
   command->callback([a, &exit_code] {
     run(*a);

@@ -56,20 +56,20 @@ Json describe(const SurfaceFile& file, const TexturedSurface& surface) {
 }
 
 void print_mesh(const char* name, const Json& m) {
-  std::cout << "  " << name << ": " << m["vertices"] << " vertices, " << m["edges"] << " edges, " << m["faces"]
-            << " triangles\n           " << m["components"]
+  std::cout << "  " << name << ": " << m["vertices"] << " vertices, " << m["edges"] << " edges, "
+            << m["faces"] << " triangles\n           " << m["components"]
             << (std::string_view(name) == "texture" ? " charts" : " components") << ", Euler characteristic "
-            << m["euler_characteristic"] << ", " << m["boundary_loops"] << " boundary loops, genus " << m["genus"]
-            << '\n';
+            << m["euler_characteristic"] << ", " << m["boundary_loops"] << " boundary loops, genus "
+            << m["genus"] << '\n';
 }
 
 void print(const Json& j) {
   const Json& c = j["contents"];
   std::cout << j["file"].get<std::string>() << '\n'
-            << "  file:    " << c["positions"] << " v, " << c["texcoords"] << " vt, " << c["normals"] << " vn, "
-            << c["faces"] << " faces (" << c["quads"] << " quads, " << c["larger_polygons"] << " larger), "
-            << c["materials"].size() << " materials, " << c["groups"].size() << " groups, " << c["objects"].size()
-            << " objects\n";
+            << "  file:    " << c["positions"] << " v, " << c["texcoords"] << " vt, " << c["normals"]
+            << " vn, " << c["faces"] << " faces (" << c["quads"] << " quads, " << c["larger_polygons"]
+            << " larger), " << c["materials"].size() << " materials, " << c["groups"].size() << " groups, "
+            << c["objects"].size() << " objects\n";
   const Json& m = j["manifold"];
   std::cout << "  " << (m["as_given"].get<bool>() ? "manifold" : "not manifold, cut") << ": "
             << m["edges_with_three_or_more_faces"] << " edges with three or more faces, "
@@ -81,11 +81,12 @@ void print(const Json& j) {
   } else {
     print_mesh("texture", j["meshes"]["texture"]);
     if (j["triangles_without_texcoords"] != 0)
-      std::cout << "           " << j["triangles_without_texcoords"] << " triangles without texture coordinates\n";
+      std::cout << "           " << j["triangles_without_texcoords"]
+                << " triangles without texture coordinates\n";
   }
   if (const Json& s = j["meshes"]["seams"]; !s.is_null())
-    std::cout << "  seams:   " << s["edges"] << " edges in " << s["curves"] << " curves, " << s["ends"] << " ends, "
-              << s["junctions"] << " junctions\n";
+    std::cout << "  seams:   " << s["edges"] << " edges in " << s["curves"] << " curves, " << s["ends"]
+              << " ends, " << s["junctions"] << " junctions\n";
   for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
 }
 
@@ -97,8 +98,10 @@ void add_info_command(CLI::App& app, int& exit_code) {
   command->add_option("FILE", arguments->input, "OBJ or PLY file")->required();
   command->add_flag("--json", arguments->json, "print JSON");
   command->footer(
-      "A textured file is two meshes: the surface, by positions, and the texture, by texture coordinates. They\n"
-      "have the same triangles and different vertices; the seams are where the texture is cut open. Input that is\n"
+      "A textured file is two meshes: the surface, by positions, and the texture, by texture coordinates. "
+      "They\n"
+      "have the same triangles and different vertices; the seams are where the texture is cut open. Input "
+      "that is\n"
       "not manifold is cut, and the numbers are those of the cut meshes.");
   command->callback([arguments, &exit_code] {
     const SurfaceFile file = read_surface(arguments->input);

@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
   app.name("multimesh");
   app.set_version_flag("--version", std::string("multimesh ") + version);
   app.require_subcommand(1);
-  app.footer("multimesh COMMAND --help says more.\nExit status: 0 done, 1 refused or bad input, 2 wrong usage.");
+  app.footer(
+      "multimesh COMMAND --help says more.\nExit status: 0 done, 1 refused or bad input, 2 wrong usage.");
   int exit_code = tools::done;
   tools::add_decimate_command(app, exit_code);
   tools::add_info_command(app, exit_code);

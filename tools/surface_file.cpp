@@ -15,8 +15,12 @@ namespace multimesh::tools {
 
 namespace {
 
-OpenMesh::Vec3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
-OpenMesh::Vec2d vec(const std::array<double, 2>& p) { return {p[0], p[1]}; }
+OpenMesh::Vec3d vec(const std::array<double, 3>& p) {
+  return {p[0], p[1], p[2]};
+}
+OpenMesh::Vec2d vec(const std::array<double, 2>& p) {
+  return {p[0], p[1]};
+}
 
 bool repeats_vertex(const std::array<io::PolygonSoup::Corner, 3>& t) {
   return t[0].v == t[1].v || t[1].v == t[2].v || t[2].v == t[0].v;
@@ -31,7 +35,8 @@ std::vector<Index> material_numbers(const io::PolygonSoup& soup) {
   std::map<std::string, Index> number;
   std::vector<Index> of_faces;
   for (const std::uint32_t section : soup.face_section)
-    of_faces.push_back(number.try_emplace(soup.sections[section].material, static_cast<Index>(number.size())).first->second);
+    of_faces.push_back(
+        number.try_emplace(soup.sections[section].material, static_cast<Index>(number.size())).first->second);
   return of_faces;
 }
 
@@ -94,7 +99,8 @@ void write_surface(const std::filesystem::path& path, const TexturedSurface& sur
   if (out.sections.empty()) out.sections.emplace_back();
   if (!file.soup.normals.empty()) warnings.push_back("normals are left out; viewers compute their own");
   if (!file.soup.colors.empty()) warnings.push_back("vertex colours are left out");
-  out.material_libraries = io::relocate_material_libraries(file.soup.material_libraries, file.path, path, warnings);
+  out.material_libraries =
+      io::relocate_material_libraries(file.soup.material_libraries, file.path, path, warnings);
   io::write_obj(path, out, {.header = {std::string("multimesh ") + version}});
 }
 

@@ -29,6 +29,8 @@ Json to_json(const TexturedSurface& surface) {
   return j;
 }
 
-std::string to_text(const Json& j) { return j.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+std::string to_text(const Json& j) {
+  return j.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
 
 }  // namespace multimesh::tools

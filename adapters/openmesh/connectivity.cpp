@@ -12,9 +12,15 @@ namespace {
 
 constexpr const char* attached_name = "mm:attached";
 
-std::uint32_t word(int i) { return static_cast<std::uint32_t>(i); }
-int signed_word(std::uint32_t i) { return static_cast<int>(i); }
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::uint32_t word(int i) {
+  return static_cast<std::uint32_t>(i);
+}
+int signed_word(std::uint32_t i) {
+  return static_cast<int>(i);
+}
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 }  // namespace
 
@@ -43,12 +49,24 @@ Connectivity::~Connectivity() {
   om_.release_face_status();
 }
 
-void Connectivity::require_valid() const {
+namespace {
+
+void refuse_if_any(const std::vector<std::string>& problems) {
+  if (!problems.empty()) throw InputError(problems.front() + "; cut the mesh first (multimesh::cut)");
+}
+
+}  // namespace
+
+void Connectivity::require_consistent() const {
   std::vector<std::string> problems;
   check(problems);
-  if (problems.empty())
-    for (int k = 1; k <= dimension(); ++k) check_simplices_differ(*this, k, problems);
-  if (!problems.empty()) throw InputError(problems.front() + "; cut the mesh first (multimesh::cut)");
+  refuse_if_any(problems);
+}
+
+void Connectivity::require_proper() const {
+  std::vector<std::string> problems;
+  for (int k = 1; k <= dimension(); ++k) check_simplices_differ(*this, k, problems);
+  refuse_if_any(problems);
 }
 
 void Connectivity::refuse_double_attachment() const {
@@ -138,7 +156,8 @@ void Connectivity::copy_face_properties(int from, int to) {
 
 // Everything but the status, which has the deleted bit and is journaled by itself.
 void Connectivity::copy_properties(int k, std::size_t from, std::size_t to) {
-  const auto copy = [](auto begin, auto end, const OpenMesh::BaseProperty* status, std::size_t i, std::size_t j) {
+  const auto copy = [](auto begin, auto end, const OpenMesh::BaseProperty* status, std::size_t i,
+                       std::size_t j) {
     for (auto p = begin; p != end; ++p)
       if (*p && *p != status) (*p)->copy(i, j);
   };
@@ -148,7 +167,8 @@ void Connectivity::copy_properties(int k, std::size_t from, std::size_t to) {
     copy(om_.eprops_begin(), om_.eprops_end(), &om_.property(om_.edge_status_pph()), from, to);
     const OpenMesh::BaseProperty* status =
         om_.has_halfedge_status() ? &om_.property(om_.halfedge_status_pph()) : nullptr;
-    for (const std::size_t side : {0U, 1U}) copy(om_.hprops_begin(), om_.hprops_end(), status, 2 * from + side, 2 * to + side);
+    for (const std::size_t side : {0U, 1U})
+      copy(om_.hprops_begin(), om_.hprops_end(), status, 2 * from + side, 2 * to + side);
   } else {
     copy(om_.fprops_begin(), om_.fprops_end(), &om_.property(om_.face_status_pph()), from, to);
   }
@@ -193,29 +213,53 @@ void Connectivity::undo(const Entry& e) {
       om_.resize(vertices, edges, faces);
   };
   switch (e.word) {
-    case Word::to: om_.set_vertex_handle(handle(i), OpenMesh::VertexHandle(old)); break;
+    case Word::to:
+      om_.set_vertex_handle(handle(i), OpenMesh::VertexHandle(old));
+      break;
     case Word::next:
       if (old >= 0) om_.set_next_halfedge_handle(handle(i), handle(old));  // else i is about to be popped
       break;
     case Word::prev:
       if (old >= 0) om_.set_prev_halfedge_handle(handle(i), handle(old));
       break;
-    case Word::face: om_.set_face_handle(handle(i), OpenMesh::FaceHandle(old)); break;
-    case Word::out: om_.set_halfedge_handle(OpenMesh::VertexHandle(i), handle(old)); break;
-    case Word::halfedge_of: om_.set_halfedge_handle(OpenMesh::FaceHandle(i), handle(old)); break;
-    case Word::vertex_status: (*vertex_status_)[e.index].set_bits(e.old); break;
+    case Word::face:
+      om_.set_face_handle(handle(i), OpenMesh::FaceHandle(old));
+      break;
+    case Word::out:
+      om_.set_halfedge_handle(OpenMesh::VertexHandle(i), handle(old));
+      break;
+    case Word::halfedge_of:
+      om_.set_halfedge_handle(OpenMesh::FaceHandle(i), handle(old));
+      break;
+    case Word::vertex_status:
+      (*vertex_status_)[e.index].set_bits(e.old);
+      break;
     case Word::edge_status:
       (*edge_status_)[e.index].set_bits(e.old);
       if (om_.has_halfedge_status())
         for (const int h : {2 * i, 2 * i + 1}) om_.status(handle(h)).set_deleted(false);
       break;
-    case Word::face_status: (*face_status_)[e.index].set_bits(e.old); break;
-    case Word::anchor_own: (*anchors_)[e.index].own = Dart{e.old}; break;
-    case Word::anchor_parent: (*anchors_)[e.index].parent = Dart{e.old}; break;
-    case Word::link: (*links_[e.column].facet_plus_one)[e.index] = e.old; break;
-    case Word::vertices: pop(e.old, om_.n_edges(), om_.n_faces()); break;
-    case Word::edges: pop(om_.n_vertices(), e.old, om_.n_faces()); break;
-    case Word::faces: pop(om_.n_vertices(), om_.n_edges(), e.old); break;
+    case Word::face_status:
+      (*face_status_)[e.index].set_bits(e.old);
+      break;
+    case Word::anchor_own:
+      (*anchors_)[e.index].own = Dart{e.old};
+      break;
+    case Word::anchor_parent:
+      (*anchors_)[e.index].parent = Dart{e.old};
+      break;
+    case Word::link:
+      (*links_[e.column].facet_plus_one)[e.index] = e.old;
+      break;
+    case Word::vertices:
+      pop(e.old, om_.n_edges(), om_.n_faces());
+      break;
+    case Word::edges:
+      pop(om_.n_vertices(), e.old, om_.n_faces());
+      break;
+    case Word::faces:
+      pop(om_.n_vertices(), om_.n_edges(), e.old);
+      break;
     case Word::spare:
       copy_properties(e.column, e.old, e.index);
       spares_[e.column].pop_back();

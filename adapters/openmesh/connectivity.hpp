@@ -45,8 +45,10 @@ class Connectivity : public Mesh {
 
  protected:
   Connectivity(int dimension, OpenMesh::PolyConnectivity& om);
-  /// \throw InputError with the first problem of check(), or two simplices with the same vertices
-  void require_valid() const;
+  /// \throw InputError with the first problem of check(). Cost: linear
+  void require_consistent() const;
+  /// \throw InputError naming two simplices with the same vertices. Cost: sorting
+  void require_proper() const;
   /// Keeps a mesh that was made for this adapter.
   void own(std::unique_ptr<OpenMesh::PolyConnectivity> om) noexcept { owned_ = std::move(om); }
 
@@ -77,15 +79,29 @@ class Connectivity : public Mesh {
   void copy_face_properties(int from, int to);
 
   using Status = std::vector<OpenMesh::Attributes::StatusInfo>;
-  const Status& status(int k) const { return *(k == 0 ? vertex_status_ : k == 1 ? edge_status_ : face_status_); }
+  const Status& status(int k) const {
+    return *(k == 0 ? vertex_status_ : k == 1 ? edge_status_ : face_status_);
+  }
 
   OpenMesh::PolyConnectivity& om_;
 
  private:
   enum class Word : std::uint8_t {
-    to, next, prev, face, out, halfedge_of, vertex_status, edge_status, face_status,
-    anchor_own, anchor_parent, link,
-    vertices, edges, faces,  // counts
+    to,
+    next,
+    prev,
+    face,
+    out,
+    halfedge_of,
+    vertex_status,
+    edge_status,
+    face_status,
+    anchor_own,
+    anchor_parent,
+    link,
+    vertices,
+    edges,
+    faces,  // counts
     spare,
   };
   struct Entry {

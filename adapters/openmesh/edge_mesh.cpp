@@ -7,9 +7,13 @@
 
 namespace multimesh::openmesh {
 
-EdgeMesh::EdgeMesh(OpenMesh::PolyConnectivity& om) : Connectivity(1, om) { require_valid(); }
+EdgeMesh::EdgeMesh(OpenMesh::PolyConnectivity& om) : Connectivity(1, om) {
+  require_consistent();
+  require_proper();
+}
 
 EdgeMesh::EdgeMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : Connectivity(1, *om) {
+  require_consistent();
   own(std::move(om));
 }
 
@@ -17,9 +21,13 @@ Index EdgeMesh::capacity(int k) const {
   return static_cast<Index>(k == 0 ? om_.n_vertices() : om_.n_edges());
 }
 
-bool EdgeMesh::is_live(int k, Index s) const { return s < capacity(k) && !status(k)[s].deleted(); }
+bool EdgeMesh::is_live(int k, Index s) const {
+  return s < capacity(k) && !status(k)[s].deleted();
+}
 
-bool EdgeMesh::is_dart(Dart d) const { return is_live(1, code(d) >> 1); }
+bool EdgeMesh::is_dart(Dart d) const {
+  return is_live(1, code(d) >> 1);
+}
 
 Index EdgeMesh::simplex(Dart d, int k) const {
   return k == 0 ? static_cast<Index>(from(half(d))) : code(d) >> 1;
@@ -49,7 +57,9 @@ void EdgeMesh::star(Dart d, int k, DartBuffer& out_darts) const {
   if (const Dart other = switch_dart(d, 1); other != no_dart) out_darts.push_back(other);
 }
 
-bool EdgeMesh::is_boundary(Dart d, int k) const { return k == 0 && (prev(half(d)) ^ 1) == half(d); }
+bool EdgeMesh::is_boundary(Dart d, int k) const {
+  return k == 0 && (prev(half(d)) ^ 1) == half(d);
+}
 
 // Dey et al. 1999 in dimension 1: a chain keeps an edge, a loop keeps three.
 bool EdgeMesh::link_condition(Dart e) const {
@@ -83,7 +93,8 @@ void EdgeMesh::split_edge(Dart e, SplitRecord& record) {
   record.b = static_cast<Index>(b);
   record.vertex = static_cast<Index>(c);
   record.at_a = make(h);
-  record.facets.assign(1, {static_cast<Index>(h >> 1), static_cast<Index>(h >> 1), static_cast<Index>(n >> 1)});
+  record.facets.assign(1,
+                       {static_cast<Index>(h >> 1), static_cast<Index>(h >> 1), static_cast<Index>(n >> 1)});
   record.words.assign({static_cast<std::uint32_t>(h), static_cast<std::uint32_t>(n)});
 }
 

@@ -10,10 +10,11 @@ namespace multimesh::openmesh {
 /// closed loop has two cycles. A dart is a halfedge, with its from-vertex.
 class EdgeMesh final : public Connectivity {
  public:
-  /// \throw InputError naming the first vertex with more than two edges, halfedge that is linked otherwise, or
-  /// pair of edges with the same vertices; UsageError if it is attached already
+  /// \throw InputError naming the first vertex with more than two edges, halfedge that is linked otherwise,
+  /// or pair of edges with the same vertices; UsageError if it is attached already
   explicit EdgeMesh(OpenMesh::PolyConnectivity& om);
-  /// Keeps a mesh. \pre as for the other constructor; not checked
+  /// Keeps a mesh. \throw as the other constructor; that no two simplices have the same vertices is not
+  /// checked
   explicit EdgeMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om);
 
   static OpenMesh::HalfedgeHandle halfedge(Dart d) { return handle(half(d)); }

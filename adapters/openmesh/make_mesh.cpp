@@ -15,7 +15,9 @@ namespace {
 using OpenMesh::PolyConnectivity;
 using OpenMesh::VertexHandle;
 
-VertexHandle vertex(Index v) { return VertexHandle(static_cast<int>(v)); }
+VertexHandle vertex(Index v) {
+  return VertexHandle(static_cast<int>(v));
+}
 
 /// OpenMesh reports faces that do not fit on its error stream; libraries print nothing.
 class Silence {
@@ -77,7 +79,8 @@ std::unique_ptr<PolyConnectivity> make_edges(const FacetList& list) {
 
 std::unique_ptr<Mesh> make_mesh(const FacetList& list) {
   if (list.dimension < 1 || list.dimension > 2)
-    throw InputError("OpenMesh holds edge and triangle meshes, not dimension " + std::to_string(list.dimension));
+    throw InputError("OpenMesh holds edge and triangle meshes, not dimension " +
+                     std::to_string(list.dimension));
   for (std::size_t c = 0; c < list.corners.size(); ++c)
     if (list.corners[c] >= list.vertices)
       throw InputError("facet " + std::to_string(c / list.corners_per_facet()) + " names vertex " +

@@ -11,10 +11,12 @@ namespace multimesh::openmesh {
 
 TriangleMesh::TriangleMesh(OpenMesh::PolyConnectivity& om) : Connectivity(2, om) {
   require_triangles();
-  require_valid();
+  require_consistent();
+  require_proper();
 }
 
 TriangleMesh::TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : Connectivity(2, *om) {
+  require_consistent();
   own(std::move(om));
 }
 
@@ -42,7 +44,9 @@ Index TriangleMesh::capacity(int k) const {
   return static_cast<Index>(k == 0 ? om_.n_vertices() : k == 1 ? om_.n_edges() : om_.n_faces());
 }
 
-bool TriangleMesh::is_live(int k, Index s) const { return s < capacity(k) && !status(k)[s].deleted(); }
+bool TriangleMesh::is_live(int k, Index s) const {
+  return s < capacity(k) && !status(k)[s].deleted();
+}
 
 bool TriangleMesh::is_dart(Dart d) const {
   if (code(d) >= 4 * om_.n_edges()) return false;
@@ -98,8 +102,7 @@ constexpr auto turns = make_turns();
 
 constexpr std::array<std::array<Permutation, 2>, 3> make_orders() {
   std::array<std::array<Permutation, 2>, 3> orders{};
-  for (std::uint8_t c = 0; c < 6; ++c)
-    orders[static_cast<std::size_t>(turns[c].steps)][turns[c].flip] = {c};
+  for (std::uint8_t c = 0; c < 6; ++c) orders[static_cast<std::size_t>(turns[c].steps)][turns[c].flip] = {c};
   return orders;
 }
 constexpr auto orders = make_orders();
@@ -382,7 +385,8 @@ int TriangleMesh::outgoing_after_collapse(int h) const {
 Dart TriangleMesh::after_collapse(const CollapseRecord& record, Dart old) const {
   const auto h = static_cast<std::uint32_t>(half(old));
   for (std::size_t i = 0; i + 2 < record.words.size(); i += 3)
-    if (record.words[i] == h) return make(static_cast<int>(record.words[i + 1]), flip(old) ^ record.words[i + 2]);
+    if (record.words[i] == h)
+      return make(static_cast<int>(record.words[i + 1]), flip(old) ^ record.words[i + 2]);
   return status(1)[h >> 1].deleted() ? record.at_survivor : old;
 }
 
@@ -429,7 +433,8 @@ void TriangleMesh::check(std::vector<std::string>& problems) const {
     if (from(n) != to(h)) report("halfedge", h, "does not meet its successor");
     if (to(h) == from(h)) report("halfedge", h, "is a loop");
     if (face(h) != face(n)) report("halfedge", h, "and its successor have different faces");
-    if (face(h) >= 0 && (!live(2, face(h)) || next(next(n)) != h)) report("halfedge", h, "has no live triangle");
+    if (face(h) >= 0 && (!live(2, face(h)) || next(next(n)) != h))
+      report("halfedge", h, "has no live triangle");
     if (face(h) < 0 && face(h ^ 1) < 0) report("halfedge", h, "has no face on either side");
   }
   for (int f = 0; f < static_cast<int>(om_.n_faces()); ++f)
@@ -460,7 +465,8 @@ void TriangleMesh::check(std::vector<std::string>& problems) const {
     }
     if (around != fan[i]) report("vertex", v, "has more than one fan");
     if (boundary[i] > 1) report("vertex", v, "is in the boundary more than once");
-    if (boundary[i] == 1 && face(out(v)) >= 0) report("vertex", v, "is in the boundary but its halfedge is not");
+    if (boundary[i] == 1 && face(out(v)) >= 0)
+      report("vertex", v, "is in the boundary but its halfedge is not");
   }
 }
 

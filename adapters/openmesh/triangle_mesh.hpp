@@ -15,7 +15,8 @@ class TriangleMesh final : public Connectivity {
   /// triangle, vertex that is not manifold, or pair of simplices with the same vertices; UsageError if it is
   /// attached already
   explicit TriangleMesh(OpenMesh::PolyConnectivity& om);
-  /// Keeps a mesh. \pre as for the other constructor; not checked
+  /// Keeps a mesh. \throw as the other constructor; that no two simplices have the same vertices is not
+  /// checked
   explicit TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om);
 
   static OpenMesh::HalfedgeHandle halfedge(Dart d) { return handle(half(d)); }

@@ -6,8 +6,8 @@
 #include <map>
 #include <memory>
 
-#include "multimesh/algorithms/surface_invariants.hpp"
 #include "multimesh/algorithms/quadric.hpp"
+#include "multimesh/algorithms/surface_invariants.hpp"
 #include "multimesh/scheduler.hpp"
 
 namespace multimesh {
@@ -82,10 +82,12 @@ Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
       quadrics_(root_.capacity(0)),
       ranks_(root_.capacity(0), free_vertex),
       positions_(NodeId::root, surface.positions()),
-      quadric_attribute_(NodeId::root, quadrics_,
-                         [this](Operation, const VertexChange& c) { return quadrics_[c.a] + quadrics_[c.b]; }),
-      rank_attribute_(NodeId::root, ranks_,
-                      [this](Operation, const VertexChange& c) { return std::max(ranks_[c.a], ranks_[c.b]); }),
+      quadric_attribute_(
+          NodeId::root, quadrics_,
+          [this](Operation, const VertexChange& c) { return quadrics_[c.a] + quadrics_[c.b]; }),
+      rank_attribute_(
+          NodeId::root, ranks_,
+          [this](Operation, const VertexChange& c) { return std::max(ranks_[c.a], ranks_[c.b]); }),
       copies_stay_apart_(surface.source_positions()),
       normal_turn_(surface.positions(), options.max_normal_turn),
       operations_(surface.tree()) {

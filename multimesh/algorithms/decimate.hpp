@@ -51,9 +51,9 @@ struct DecimateResult {
 };
 
 /// Collapses edges of a textured surface, cheapest first. Position and texture coordinates of a merged
-/// vertex denote the same point of the collapsed edge, in every chart. Kept: the topology of the surface and of
-/// each chart, the graph of the seams, and every triangle's orientation in the texture and (nearly) in space.
-/// Deterministic. Cost: O(n log n). \throw InputError if no target is given
+/// vertex denote the same point of the collapsed edge, in every chart. Kept: the topology of the surface and
+/// of each chart, the graph of the seams, and every triangle's orientation in the texture and (nearly) in
+/// space. Deterministic. Cost: O(n log n). \throw InputError if no target is given
 DecimateResult decimate(TexturedSurface& surface, const DecimateOptions& options);
 
 }  // namespace multimesh

@@ -12,9 +12,17 @@ struct Quadric {
 
   /// weight * (n.p + d)^2 with |n| = 1.
   static Quadric plane(const OpenMesh::Vec3d& n, double d, double weight) {
-    return {weight * n[0] * n[0], weight * n[0] * n[1], weight * n[0] * n[2], weight * n[1] * n[1],
-            weight * n[1] * n[2], weight * n[2] * n[2], weight * n[0] * d,    weight * n[1] * d,
-            weight * n[2] * d,    weight * d * d,       weight};
+    return {weight * n[0] * n[0],
+            weight * n[0] * n[1],
+            weight * n[0] * n[2],
+            weight * n[1] * n[1],
+            weight * n[1] * n[2],
+            weight * n[2] * n[2],
+            weight * n[0] * d,
+            weight * n[1] * d,
+            weight * n[2] * d,
+            weight * d * d,
+            weight};
   }
 
   Quadric& operator+=(const Quadric& q) {

@@ -35,11 +35,14 @@ bool CopiesStayApart::before(const Event& event) {
   if (mesh.is_locked(merged)) {
     if (!gained_.empty()) return false;  // an edge of two copies: another sheet may have it
     mesh.star(goes, 0, around_);         // a vertex that has an edge with another copy of the merged one
-    for (const Dart d : around_) {
-      collect_labelled_neighbours(mesh, mesh.reorder(d, exchange_ends), other_);
-      for (const Index x : other_)
-        if (x != merged && source_[x] == source_[merged]) return false;
-    }
+    for (const Dart d : around_)
+      for (const Permutation neighbour : {exchange_ends, permutation(2, 0, 1)}) {
+        const Dart at = mesh.reorder(d, neighbour);
+        if (mesh.vertex(at) == merged) continue;
+        collect_labelled_neighbours(mesh, at, other_);
+        for (const Index x : other_)
+          if (x != merged && source_[x] == source_[merged]) return false;
+      }
     return true;
   }
   return std::none_of(gained_.begin(), gained_.end(), [&](Index x) {
@@ -97,7 +100,8 @@ double bounding_box_diagonal(const std::vector<Vec2d>& points) {
 
 }  // namespace
 
-TextureOrientation::TextureOrientation(const MultiMesh& tree, NodeId texture, const std::vector<Vec2d>& texcoords)
+TextureOrientation::TextureOrientation(const MultiMesh& tree, NodeId texture,
+                                       const std::vector<Vec2d>& texcoords)
     : Invariant("texture orientation", texture), texture_(texture), texcoords_(texcoords) {
   const double diagonal = bounding_box_diagonal(texcoords);
   no_area_ = relative_no_area * diagonal * diagonal;
@@ -129,7 +133,9 @@ void TextureOrientation::orient_charts(const Mesh& mesh) {
       }
     }
     const double diagonal = bounding_box_diagonal(points);
-    charts_.push_back({static_cast<signed char>(total > 0 ? 1 : total < 0 ? -1 : 0),
+    charts_.push_back({static_cast<signed char>(total > 0   ? 1
+                                                : total < 0 ? -1
+                                                            : 0),
                        relative_no_area * diagonal * diagonal});
   }
 }

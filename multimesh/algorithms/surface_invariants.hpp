@@ -13,7 +13,8 @@ namespace multimesh {
 /// root are copies; `source` says of which input vertex.
 class CopiesStayApart final : public Invariant {
  public:
-  explicit CopiesStayApart(const std::vector<Index>& source) : Invariant("copies stay apart"), source_(source) {}
+  explicit CopiesStayApart(const std::vector<Index>& source)
+      : Invariant("copies stay apart"), source_(source) {}
   bool before(const Event& event) override;
 
  private:

@@ -60,7 +60,8 @@ MeshReport report(const Mesh& mesh) {
       static_cast<long>(r.vertices) - static_cast<long>(r.edges) + static_cast<long>(r.faces);
   if (mesh.dimension() == 2) {
     r.boundary = rim.count();
-    r.genus = (2 * static_cast<long>(r.components) - static_cast<long>(r.boundary) - r.euler_characteristic) / 2;
+    r.genus =
+        (2 * static_cast<long>(r.components) - static_cast<long>(r.boundary) - r.euler_characteristic) / 2;
   }
   return r;
 }
@@ -88,7 +89,8 @@ SeamReport report_seams(const TexturedSurface& surface) {
   }
   r.curves = pieces.count();
   r.ends = static_cast<std::size_t>(std::count(degree.begin(), degree.end(), 1));
-  r.junctions = static_cast<std::size_t>(std::count_if(degree.begin(), degree.end(), [](Index n) { return n > 2; }));
+  r.junctions =
+      static_cast<std::size_t>(std::count_if(degree.begin(), degree.end(), [](Index n) { return n > 2; }));
   return r;
 }
 
@@ -103,9 +105,8 @@ ManifoldReport report_manifoldness(const TexturedTriangles& input, const Texture
       const std::int32_t a = t[i].position, b = t[(i + 1) % 3].position;
       sides.push_back({std::min(a, b), std::max(a, b), a < b});
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return x.low != y.low ? x.low < y.low : x.high < y.high;
-  });
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& x, const Side& y) { return x.low != y.low ? x.low < y.low : x.high < y.high; });
   ManifoldReport r;
   for (std::size_t i = 0, j; i < sides.size(); i = j) {
     for (j = i; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high;) ++j;

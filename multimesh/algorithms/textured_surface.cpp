@@ -62,7 +62,8 @@ void check_corners(const TexturedTriangles& input, std::size_t t) {
     if (c.position < 0 || static_cast<std::size_t>(c.position) >= input.positions.size())
       throw InputError("triangle " + std::to_string(t) + ": no position " + std::to_string(c.position));
     if (c.texcoord >= 0 && static_cast<std::size_t>(c.texcoord) >= input.texcoords.size())
-      throw InputError("triangle " + std::to_string(t) + ": no texture coordinate " + std::to_string(c.texcoord));
+      throw InputError("triangle " + std::to_string(t) + ": no texture coordinate " +
+                       std::to_string(c.texcoord));
     without += c.texcoord < 0;
   }
   if (without != 0 && without != 3)
@@ -163,7 +164,8 @@ void Builder::add_texture() {
   const Cut texture = cut(pairs);
   for (std::size_t f = 0; f < parent_facets.size(); ++f)
     if (texture.reversed[f]) std::swap(over.corners[3 * f], over.corners[3 * f + 1]);
-  out_.texture = add_child_by_facets(*out_.tree, NodeId::root, texture.facets, over, parent_facets, openmesh::make_mesh);
+  out_.texture =
+      add_child_by_facets(*out_.tree, NodeId::root, texture.facets, over, parent_facets, openmesh::make_mesh);
   auto& mesh = connectivity(*out_.tree, *out_.texture);
   mesh.openmesh().add_property(out_.texcoord_property, "texcoord");
   out_.texcoords = &mesh.openmesh().property(out_.texcoord_property).data_vector();
@@ -230,20 +232,36 @@ TexturedSurface::TexturedSurface(const TexturedTriangles& input) : data_(std::ma
 TexturedSurface::~TexturedSurface() = default;
 TexturedSurface::TexturedSurface(TexturedSurface&&) noexcept = default;
 
-MultiMesh& TexturedSurface::tree() { return *data_->tree; }
-const MultiMesh& TexturedSurface::tree() const { return *data_->tree; }
-std::optional<NodeId> TexturedSurface::texture() const { return data_->texture; }
-std::optional<NodeId> TexturedSurface::seams() const { return data_->seams; }
-std::vector<Vec3d>& TexturedSurface::positions() { return *data_->positions; }
-const std::vector<Vec3d>& TexturedSurface::positions() const { return *data_->positions; }
+MultiMesh& TexturedSurface::tree() {
+  return *data_->tree;
+}
+const MultiMesh& TexturedSurface::tree() const {
+  return *data_->tree;
+}
+std::optional<NodeId> TexturedSurface::texture() const {
+  return data_->texture;
+}
+std::optional<NodeId> TexturedSurface::seams() const {
+  return data_->seams;
+}
+std::vector<Vec3d>& TexturedSurface::positions() {
+  return *data_->positions;
+}
+const std::vector<Vec3d>& TexturedSurface::positions() const {
+  return *data_->positions;
+}
 std::vector<Vec2d>& TexturedSurface::texcoords() {
   return data_->texcoords ? *data_->texcoords : data_->no_texcoords;
 }
 const std::vector<Vec2d>& TexturedSurface::texcoords() const {
   return data_->texcoords ? *data_->texcoords : data_->no_texcoords;
 }
-const std::vector<Index>& TexturedSurface::source_positions() const { return *data_->source_position; }
-const CutReport& TexturedSurface::cut_report() const { return data_->report; }
+const std::vector<Index>& TexturedSurface::source_positions() const {
+  return *data_->source_position;
+}
+const CutReport& TexturedSurface::cut_report() const {
+  return data_->report;
+}
 
 std::size_t TexturedSurface::live_triangles() const {
   const Mesh& root = tree().mesh(NodeId::root);
@@ -265,7 +283,8 @@ TexturedTriangles TexturedSurface::triangles(std::vector<Index>& source) const {
     if (number >= 0) return number;
     const Vec3d& p = positions()[v];
     const std::array<std::uint64_t, 4> key{(*data_->source_position)[v], std::bit_cast<std::uint64_t>(p[0]),
-                                           std::bit_cast<std::uint64_t>(p[1]), std::bit_cast<std::uint64_t>(p[2])};
+                                           std::bit_cast<std::uint64_t>(p[1]),
+                                           std::bit_cast<std::uint64_t>(p[2])};
     const auto [it, is_new] = joined.try_emplace(key, static_cast<std::int32_t>(out.positions.size()));
     if (is_new) out.positions.push_back(p);
     return number = it->second;
@@ -273,7 +292,8 @@ TexturedTriangles TexturedSurface::triangles(std::vector<Index>& source) const {
   const auto texcoord = [&](const Vec2d& p) {
     const std::array<std::uint64_t, 2> key{std::bit_cast<std::uint64_t>(p[0] + 0.0),
                                            std::bit_cast<std::uint64_t>(p[1] + 0.0)};
-    const auto [it, is_new] = texcoord_number.try_emplace(key, static_cast<std::int32_t>(out.texcoords.size()));
+    const auto [it, is_new] =
+        texcoord_number.try_emplace(key, static_cast<std::int32_t>(out.texcoords.size()));
     if (is_new) out.texcoords.push_back(p);
     return it->second;
   };

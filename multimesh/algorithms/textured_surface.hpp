@@ -26,8 +26,8 @@ struct TexturedTriangles {
 
 /// What had to be done to the input to make it manifold.
 struct CutReport {
-  std::size_t copied_vertices = 0;      ///< copies made of vertices at which the surface is not manifold
-  std::size_t reversed_triangles = 0;   ///< turned round to agree with their neighbours
+  std::size_t copied_vertices = 0;     ///< copies made of vertices at which the surface is not manifold
+  std::size_t reversed_triangles = 0;  ///< turned round to agree with their neighbours
   std::size_t triangles_without_texcoords = 0;
 };
 

@@ -16,9 +16,11 @@ class Words {
 
   void connectivity(const OpenMesh::PolyConnectivity& om) {
     put(om.n_vertices()), put(om.n_edges()), put(om.n_faces());
-    for (const auto v : om.all_vertices()) put(om.halfedge_handle(v).idx()), put(std::uint64_t{om.status(v).bits()});
+    for (const auto v : om.all_vertices())
+      put(om.halfedge_handle(v).idx()), put(std::uint64_t{om.status(v).bits()});
     for (const auto e : om.all_edges()) put(std::uint64_t{om.status(e).bits()});
-    for (const auto f : om.all_faces()) put(om.halfedge_handle(f).idx()), put(std::uint64_t{om.status(f).bits()});
+    for (const auto f : om.all_faces())
+      put(om.halfedge_handle(f).idx()), put(std::uint64_t{om.status(f).bits()});
     for (const auto h : om.all_halfedges()) {
       put(om.to_vertex_handle(h).idx()), put(om.face_handle(h).idx());
       put(om.next_halfedge_handle(h).idx()), put(om.prev_halfedge_handle(h).idx());

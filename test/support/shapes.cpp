@@ -10,7 +10,9 @@ namespace multimesh::test {
 
 namespace {
 
-void add(FacetList& list, Index a, Index b, Index c) { list.corners.insert(list.corners.end(), {a, b, c}); }
+void add(FacetList& list, Index a, Index b, Index c) {
+  list.corners.insert(list.corners.end(), {a, b, c});
+}
 
 /// The triangles of an n x m array of squares over vertices numbered by `vertex(i, j)`.
 template <class Numbering>

@@ -39,7 +39,9 @@ NodeId Tree::add(NodeId id) {
   if (id == NodeId::root) return id;
   const Mesh& mesh = tree->mesh(id);
   for (Index v = 0; v < mesh.capacity(0); ++v)
-    if (mesh.dart_of(0, v) != no_dart) values[v] = points(NodeId::root)[tree->mesh(NodeId::root).vertex(tree->to_root(id, mesh.dart_of(0, v)))];
+    if (mesh.dart_of(0, v) != no_dart)
+      values[v] =
+          points(NodeId::root)[tree->mesh(NodeId::root).vertex(tree->to_root(id, mesh.dart_of(0, v)))];
   return id;
 }
 
@@ -56,7 +58,8 @@ NodeId Tree::add_cut(NodeId parent, const std::function<bool(Index)>& seam) {
     mesh.vertices(d, v);
     for (int i = 0; i < 3; ++i) {
       const Dart at = mesh.reorder(d, permutation(i, (i + 1) % 3, (i + 2) % 3));
-      corner_at[code(at)] = corner_at[code(mesh.switch_dart(at, 1))] = static_cast<Index>(over.corners.size());
+      corner_at[code(at)] = corner_at[code(mesh.switch_dart(at, 1))] =
+          static_cast<Index>(over.corners.size());
       over.corners.push_back(v[i]);
     }
     parent_facets.push_back(f);
@@ -124,14 +127,20 @@ std::function<bool(Index)> random_seams(const Mesh& mesh, unsigned seed) {
 Shape surface(Index size, unsigned seed) {
   const auto side = std::max<Index>(3, static_cast<Index>(std::sqrt(size / 2.0)));
   switch (seed % 4) {
-    case 0: return grid(side, side);
-    case 1: return annulus(side + 1, side - 1);
-    case 2: return torus(std::max<Index>(4, side), std::max<Index>(4, side));
-    default: return sphere(std::max(1, static_cast<int>(std::lround(std::log2(size / 8.0) / 2))));
+    case 0:
+      return grid(side, side);
+    case 1:
+      return annulus(side + 1, side - 1);
+    case 2:
+      return torus(std::max<Index>(4, side), std::max<Index>(4, side));
+    default:
+      return sphere(std::max(1, static_cast<int>(std::lround(std::log2(size / 8.0) / 2))));
   }
 }
 
-Shape open_surface(Index size, unsigned seed) { return surface(size, seed % 2); }
+Shape open_surface(Index size, unsigned seed) {
+  return surface(size, seed % 2);
+}
 
 std::unique_ptr<Tree> uv_tree(Index size, unsigned seed) {
   auto t = std::make_unique<Tree>(surface(size, seed));
@@ -177,16 +186,20 @@ std::unique_ptr<Tree> torus_tree(Index size, unsigned) {
   const Tile tile = tile_of_torus(side, side);
   std::vector<Index> facets(tile.over.size());
   for (Index f = 0; f < facets.size(); ++f) facets[f] = f;
-  t->add(add_child_by_facets(*t->tree, NodeId::root, tile.grid.facets, tile.over, facets, openmesh::make_mesh));
+  t->add(
+      add_child_by_facets(*t->tree, NodeId::root, tile.grid.facets, tile.over, facets, openmesh::make_mesh));
   return t;
 }
 
 }  // namespace
 
 const std::vector<TreeKind>& tree_kinds() {
-  static const std::vector<TreeKind> kinds{
-      {"SurfaceUv", uv_tree},           {"SurfaceUvSeams", seam_tree}, {"SurfaceBoundaryFeatures", curves_tree},
-      {"UvThreeDeep", deep_tree},       {"CurvesBelowCurves", curve_in_curve_tree}, {"TorusTile", torus_tree}};
+  static const std::vector<TreeKind> kinds{{"SurfaceUv", uv_tree},
+                                           {"SurfaceUvSeams", seam_tree},
+                                           {"SurfaceBoundaryFeatures", curves_tree},
+                                           {"UvThreeDeep", deep_tree},
+                                           {"CurvesBelowCurves", curve_in_curve_tree},
+                                           {"TorusTile", torus_tree}};
   return kinds;
 }
 
