@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <optional>
 
 #include "multimesh/edge_queue.hpp"
@@ -28,6 +29,21 @@ class PriorityScheduler {
   /// happens to them, and in the next pass. Cost: O(log n) per operation and update.
   template <class Policy>
   Stop run(Policy& policy) {
+    const auto start = std::chrono::steady_clock::now();
+    const Stop stop = run_passes(policy);
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return stop;
+  }
+
+  /// Of the last run, by the wall clock.
+  double seconds() const noexcept { return seconds_; }
+
+  /// Edges refused in the last pass: what stands in the way of a run that is exhausted.
+  const std::vector<Index>& refused_edges() const noexcept { return refused_; }
+
+ private:
+  template <class Policy>
+  Stop run_passes(Policy& policy) {
     const Mesh& root = tree_.mesh(NodeId::root);
     queue_.reserve(root.capacity(1));
     for (Index e = 0; e < root.capacity(1); ++e)
@@ -41,10 +57,6 @@ class PriorityScheduler {
     }
   }
 
-  /// Edges refused in the last pass: what stands in the way of a run that is exhausted.
-  const std::vector<Index>& refused_edges() const noexcept { return refused_; }
-
- private:
   template <class Policy>
   Stop pass(Policy& policy) {
     const Mesh& root = tree_.mesh(NodeId::root);
@@ -97,6 +109,7 @@ class PriorityScheduler {
   std::vector<Index> refused_;
   DartBuffer star_;
   std::size_t operations_ = 0;
+  double seconds_ = 0;
 };
 
 }  // namespace multimesh

@@ -71,7 +71,8 @@ void write_report(const DecimateArguments& a, const DecimateOptions& o, const De
   j["target_reached"] = r.stop != DecimateResult::Stop::exhausted || o.faces == 0;
   j["stopped_by"] = to_string(r.stop);
   if (!r.blocking.empty()) j["edges_left_by_what_keeps_them"] = counts(r.blocking);
-  j["collapses"] = {{"tried", r.tried}, {"done", r.collapsed}, {"refused", counts(r.refused)}};
+  j["collapses"] = {
+      {"tried", r.tried}, {"done", r.collapsed}, {"refused", counts(r.refused)}, {"seconds", r.seconds}};
   j["max_cost"] = r.max_cost;
   j["before"] = before;
   j["after"] = after;

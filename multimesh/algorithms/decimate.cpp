@@ -241,7 +241,6 @@ std::vector<RefusalCount> by_frequency(const std::map<std::string, std::size_t>&
 DecimateResult Decimator::run() {
   result_.faces_before = faces_;
   PriorityScheduler scheduler(operations_);
-  std::vector<RefusalCount> blocking;
   const PriorityScheduler::Stop stop = scheduler.run(*this);
   result_.tried = operations_.statistics().tried;
   result_.collapsed = operations_.statistics().done;
@@ -257,6 +256,7 @@ DecimateResult Decimator::run() {
     if (result_.stop == DecimateResult::Stop::exhausted) result_.blocking = by_frequency(counts);
   }
   result_.faces_after = faces_;
+  result_.seconds = scheduler.seconds();
   result_.refused = by_frequency(refused_);
   result_.max_cost /= diagonal_ > 0 ? diagonal_ : 1;
   return std::move(result_);

@@ -47,6 +47,7 @@ struct DecimateResult {
   std::vector<RefusalCount> refused;  ///< over the whole run, most frequent first
   /// If the run was exhausted: the edges that are left, by what keeps each from being collapsed.
   std::vector<RefusalCount> blocking;
+  double seconds = 0;   ///< of the collapse loop, by the wall clock
   double max_cost = 0;  ///< of the collapses done, a length relative to the bounding-box diagonal
 };
 
