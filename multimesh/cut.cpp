@@ -3,28 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <string>
 
 #include "multimesh/error.hpp"
+#include "multimesh/union_find.hpp"
 
 namespace multimesh {
 
 namespace {
-
-/// Sets of corners that become one vertex.
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index i, Index j) { parent_[std::max(find(i), find(j))] = std::min(find(i), find(j)); }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// One side of a facet. In a triangle, side i joins corners i and i+1.
 struct Side {
@@ -208,7 +194,7 @@ class Cutter {
   const CutOptions& options_;
   std::size_t n_;
   std::vector<bool> alone_;  // facets that are joined to nothing
-  UnionFind classes_{0};
+  UnionFind classes_{0};     // of corners that become one vertex
   std::vector<Across> across_;
   std::vector<bool> reversed_;
 };

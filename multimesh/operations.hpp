@@ -50,7 +50,8 @@ struct Placement {
 ///
 /// Attributes and invariants are those of the algorithm that uses it; they are not owned and must outlive
 /// it. An exception thrown by one of them leaves everything as it was before the operation. Cost per
-/// operation: that of the stars of the edge's copies; no allocation in the steady state.
+/// operation: that of the stars of the edge's copies; buffers are re-used, but queries over two or more levels
+/// of the tree allocate.
 /// Source: Codimensional MultiMeshing, section 4; legality beyond it: DESIGN section 7.
 class Propagation {
  public:

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/quadric.hpp"
 #include "multimesh/algorithms/surface_invariants.hpp"
 #include "multimesh/scheduler.hpp"
@@ -16,12 +17,6 @@ using OpenMesh::Vec2d;
 using OpenMesh::Vec3d;
 
 namespace {
-
-double bounding_box_diagonal(const std::vector<Vec3d>& points) {
-  Vec3d low = points.front(), high = low;
-  for (const Vec3d& p : points) low.minimize(p), high.maximize(p);
-  return (high - low).norm();
-}
 
 /// How much a vertex is bound: a vertex moves to the one that is bound more.
 enum Rank : std::uint8_t { free_vertex, on_curve, fixed_point };

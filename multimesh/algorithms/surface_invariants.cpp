@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "multimesh/algorithms/bounding_box.hpp"
+
 namespace multimesh {
 
 using OpenMesh::Vec2d;
@@ -89,13 +91,6 @@ constexpr double relative_no_area = 1e-11;
 double doubled_area(const std::array<Vec2d, 3>& t) {
   const Vec2d u = t[1] - t[0], v = t[2] - t[0];
   return u[0] * v[1] - u[1] * v[0];
-}
-
-double bounding_box_diagonal(const std::vector<Vec2d>& points) {
-  if (points.empty()) return 0;
-  Vec2d low = points.front(), high = low;
-  for (const Vec2d& p : points) low.minimize(p), high.maximize(p);
-  return (high - low).norm();
 }
 
 }  // namespace

@@ -2,35 +2,30 @@
 #include "multimesh/algorithms/surface_report.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "multimesh/union_find.hpp"
 
 namespace multimesh {
 
 namespace {
 
-class DisjointSets {
+/// The vertices that some edges use, and the pieces these make.
+class Pieces {
  public:
-  explicit DisjointSets(std::size_t n) : parent_(n), used_(n, false) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  void use(Index i) { used_[i] = true; }
+  explicit Pieces(std::size_t n) : sets_(n), used_(n, false) {}
   void join(Index i, Index j) {
     used_[i] = used_[j] = true;
-    parent_[find(i)] = find(j);
+    sets_.join(i, j);
   }
   std::size_t used() const { return static_cast<std::size_t>(std::count(used_.begin(), used_.end(), true)); }
   std::size_t count() {
     std::size_t n = 0;
-    for (Index i = 0; i < parent_.size(); ++i) n += used_[i] && find(i) == i;
+    for (Index i = 0; i < used_.size(); ++i) n += used_[i] && sets_.find(i) == i;
     return n;
   }
 
  private:
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  std::vector<Index> parent_;
+  UnionFind sets_;
   std::vector<bool> used_;
 };
 
@@ -39,7 +34,7 @@ class DisjointSets {
 MeshReport report(const Mesh& mesh) {
   MeshReport r;
   r.dimension = mesh.dimension();
-  DisjointSets pieces(mesh.capacity(0)), rim(mesh.capacity(0));
+  Pieces pieces(mesh.capacity(0)), rim(mesh.capacity(0));
   for (Index e = 0; e < mesh.capacity(1); ++e) {
     if (!mesh.is_live(1, e)) continue;
     ++r.edges;
@@ -73,7 +68,7 @@ SeamReport report_seams(const TexturedSurface& surface) {
   const Mesh& curves = surface.tree().mesh(seams);
   const Mesh& root = surface.tree().mesh(NodeId::root);
   const Mesh& texture = surface.tree().mesh(*surface.texture());
-  DisjointSets pieces(curves.capacity(0));
+  Pieces pieces(curves.capacity(0));
   std::vector<Index> degree(root.capacity(0), 0);
   DartBuffer copies;
   for (Index e = 0; e < curves.capacity(1); ++e) {
