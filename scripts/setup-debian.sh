@@ -4,7 +4,7 @@
 set -euo pipefail
 
 packages=(cmake ninja-build g++ git ccache pkg-config
-  libopenmesh-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
+  libopenmesh-dev libembree-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
 
 if ! command -v dpkg-query >/dev/null; then
   echo "setup: not a Debian system; provide the equivalents of: ${packages[*]}" >&2

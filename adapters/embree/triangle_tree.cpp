@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/embree/triangle_tree.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "multimesh/error.hpp"
+
+namespace multimesh::spatial {
+
+namespace {
+
+struct Release {
+  void operator()(RTCDevice d) const { rtcReleaseDevice(d); }
+  void operator()(RTCScene s) const { rtcReleaseScene(s); }
+  void operator()(RTCGeometry g) const { rtcReleaseGeometry(g); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, Release>;
+using Scene = std::unique_ptr<RTCSceneTy, Release>;
+using Geometry = std::unique_ptr<RTCGeometryTy, Release>;
+
+/// Embree reports by a code.
+void check(RTCDevice device) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_NONE) return;
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  throw std::runtime_error("Embree: error " + std::to_string(error));
+}
+
+bool finite(const Point& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+// Embree sees coordinates that are moved and scaled so that all triangles lie in [-1, 1]^3. There a float is
+// off by 6e-8 at most, as are Embree's own differences, and every bound below has room for many of these.
+// Of a point far outside, the error grows with its coordinates; beyond `far` all triangles are asked.
+constexpr double float_error = 1e-6;
+constexpr double far = 1e6;
+
+struct Frame {
+  Point center{};
+  double scale = 1;  ///< from lengths of the triangles to Embree's
+
+  explicit Frame(const std::vector<Triangle>& triangles) {
+    if (triangles.empty()) return;
+    Point low = triangles[0][0], high = low;
+    for (const Triangle& t : triangles)
+      for (const Point& p : t)
+        for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
+    double half = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      center[i] = low[i] / 2 + high[i] / 2;
+      half = std::max(half, high[i] / 2 - low[i] / 2);
+    }
+    if (std::isnormal(1 / half) && half > 0) scale = 1 / half;
+  }
+  double to(double x, std::size_t axis) const { return (x - center[axis]) * scale; }
+};
+
+/// A radius that certainly reaches as far as `distance` does, for a query whose largest coordinate is `size`.
+float reach(double distance, double size) {
+  return static_cast<float>(distance * (1 + float_error) + (1 + size) * float_error);
+}
+
+}  // namespace
+
+struct TriangleTree::Data {
+  std::vector<Triangle> triangles;
+  Frame frame;
+  Device device;
+  Scene scene;
+
+  explicit Data(std::vector<Triangle> t) : triangles(std::move(t)), frame(triangles) {}
+  void build();
+
+  /// Calls visit(facet) for all facets that may be within the radius, which visit returns: it may shrink.
+  template <class Visit>
+  void traverse(const Point& p, double radius, Visit visit) const;
+
+  static void bounds(const RTCBoundsFunctionArguments* arguments);
+};
+
+void TriangleTree::Data::bounds(const RTCBoundsFunctionArguments* arguments) {
+  const auto& data = *static_cast<const Data*>(arguments->geometryUserPtr);
+  const Triangle& t = data.triangles[arguments->primID];
+  std::array<float, 3> low{}, high{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [least, most] = std::minmax({t[0][i], t[1][i], t[2][i]});
+    low[i] = static_cast<float>(data.frame.to(least, i) - float_error);
+    high[i] = static_cast<float>(data.frame.to(most, i) + float_error);
+  }
+  RTCBounds& b = *arguments->bounds_o;
+  b.lower_x = low[0], b.lower_y = low[1], b.lower_z = low[2];
+  b.upper_x = high[0], b.upper_y = high[1], b.upper_z = high[2];
+}
+
+void TriangleTree::Data::build() {
+  if (triangles.size() >= no_index) throw InputError("too many triangles: at most 2^32 - 2");
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (!std::all_of(triangles[t].begin(), triangles[t].end(), finite))
+      throw InputError("triangle " + std::to_string(t) + ": a coordinate is not finite");
+  device.reset(rtcNewDevice(nullptr));
+  check(device.get());
+  scene.reset(rtcNewScene(device.get()));
+  const Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
+  rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(triangles.size()));
+  rtcSetGeometryUserData(geometry.get(), this);
+  rtcSetGeometryBoundsFunction(geometry.get(), &bounds, nullptr);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene.get(), geometry.get());
+  rtcCommitScene(scene.get());
+  check(device.get());
+}
+
+template <class Visit>
+void TriangleTree::Data::traverse(const Point& p, double radius, Visit visit) const {
+  if (!finite(p)) throw UsageError("TriangleTree: the point is not finite");
+  if (triangles.empty() || !(radius >= 0)) return;
+  std::array<double, 3> at{};
+  for (std::size_t i = 0; i < 3; ++i) at[i] = frame.to(p[i], i);
+  const double size = std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
+  if (!(size < far)) {
+    for (Index f = 0; f < triangles.size(); ++f) visit(f);
+    return;
+  }
+  struct State {
+    Visit& visit;
+    double scale, size;
+  } state{visit, frame.scale, size};
+  RTCPointQuery query{};
+  query.x = static_cast<float>(at[0]), query.y = static_cast<float>(at[1]);
+  query.z = static_cast<float>(at[2]);
+  query.radius = reach(radius * frame.scale, size);
+  RTCPointQueryContext context{};
+  rtcInitPointQueryContext(&context);
+  const auto visit_one = [](RTCPointQueryFunctionArguments* arguments) {
+    auto& s = *static_cast<State*>(arguments->userPtr);
+    const float now = reach(s.visit(arguments->primID) * s.scale, s.size);
+    if (!(now < arguments->query->radius)) return false;
+    arguments->query->radius = now;
+    return true;
+  };
+  rtcPointQuery(scene.get(), &query, &context, visit_one, &state);
+}
+
+TriangleTree::TriangleTree(std::vector<Triangle> triangles)
+    : data_(std::make_unique<Data>(std::move(triangles))) {
+  data_->build();
+}
+
+TriangleTree::~TriangleTree() = default;
+TriangleTree::TriangleTree(TriangleTree&&) noexcept = default;
+TriangleTree& TriangleTree::operator=(TriangleTree&&) noexcept = default;
+
+const std::vector<Triangle>& TriangleTree::triangles() const {
+  return data_->triangles;
+}
+
+// The order of the visits is Embree's. It does not matter: the least pair of distance and facet is kept.
+std::optional<Nearby> TriangleTree::nearest(const Point& p, double max_distance) const {
+  Nearby best;
+  best.squared_distance = max_distance * max_distance;
+  double radius = max_distance;
+  data_->traverse(p, max_distance, [&](Index facet) {
+    const PointOnTriangle q = closest_point(p, data_->triangles[facet]);
+    if (q.squared_distance < best.squared_distance ||
+        (q.squared_distance == best.squared_distance && facet < best.facet)) {
+      best = {facet, q.barycentric, q.squared_distance};
+      radius = std::sqrt(q.squared_distance);
+    }
+    return radius;
+  });
+  if (best.facet == no_index) return std::nullopt;
+  return best;
+}
+
+void TriangleTree::within(const Point& p, double radius, std::vector<Nearby>& found) const {
+  found.clear();
+  data_->traverse(p, radius, [&](Index facet) {
+    const PointOnTriangle q = closest_point(p, data_->triangles[facet]);
+    if (q.squared_distance <= radius * radius) found.push_back({facet, q.barycentric, q.squared_distance});
+    return radius;
+  });
+  std::sort(found.begin(), found.end(),
+            [](const Nearby& a, const Nearby& b) { return a.facet < b.facet; });
+}
+
+}  // namespace multimesh::spatial

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "adapters/embree/closest_point.hpp"
+#include "multimesh/dart.hpp"
+
+namespace multimesh::spatial {
+
+/// A facet close to a point, and its point that is closest.
+struct Nearby {
+  Index facet = no_index;  ///< which of the triangles, counted from 0
+  std::array<double, 3> barycentric{1, 0, 0};
+  double squared_distance = 0;
+};
+
+/// Finds closest points on a fixed set of triangles, in space or in the UV plane (z = 0), with or without
+/// area. The answers are exact in double precision; Embree's tree, in single precision, only leaves out what
+/// is certainly too far. Ties go to the lowest facet. The queries may be asked from many threads at once.
+class TriangleTree {
+ public:
+  /// Cost: O(n log n), on all cores; about 150 bytes per triangle. \throw InputError naming the triangle if a
+  /// coordinate is not finite
+  explicit TriangleTree(std::vector<Triangle> triangles);
+  ~TriangleTree();
+  TriangleTree(TriangleTree&&) noexcept;
+  TriangleTree& operator=(TriangleTree&&) noexcept;
+
+  const std::vector<Triangle>& triangles() const;
+
+  /// The closest triangle; none if there is none within `max_distance`, inclusive. A bound that is known, a
+  /// distance to any of the triangles for instance, makes it faster. \throw UsageError if p is not finite
+  std::optional<Nearby> nearest(const Point& p,
+                                double max_distance = std::numeric_limits<double>::infinity()) const;
+
+  /// All triangles within `radius`, inclusive, by ascending facet. `found` is overwritten; keep it, and
+  /// nothing is allocated in the steady state. \throw UsageError if p is not finite
+  void within(const Point& p, double radius, std::vector<Nearby>& found) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace multimesh::spatial

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Closest points by the tree against all triangles, one by one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <thread>
+
+#include "adapters/embree/triangle_tree.hpp"
+#include "multimesh/error.hpp"
+
+namespace multimesh::spatial {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Numbers that are the same everywhere.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double operator()(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+  }
+  Point point(const Point& low, const Point& high) {
+    return {(*this)(low[0], high[0]), (*this)(low[1], high[1]), (*this)(low[2], high[2])};
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+std::vector<Triangle> soup(std::size_t n, unsigned seed, double size, const Point& low, const Point& high) {
+  Random random(seed);
+  std::vector<Triangle> triangles(n);
+  for (Triangle& t : triangles) {
+    t[0] = random.point(low, high);
+    for (std::size_t i = 1; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        t[i][k] = std::clamp(t[0][k] + random(-size, size), low[k], high[k]);
+  }
+  return triangles;
+}
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+Nearby nearest_of_all(const std::vector<Triangle>& triangles, const Point& p) {
+  Nearby best{no_index, {}, infinity};
+  for (Index f = 0; f < triangles.size(); ++f)
+    if (const auto q = closest_point(p, triangles[f]); q.squared_distance < best.squared_distance)
+      best = {f, q.barycentric, q.squared_distance};
+  return best;
+}
+
+void expect_equal(const Nearby& a, const Nearby& b) {
+  EXPECT_EQ(a.facet, b.facet);
+  EXPECT_EQ(a.barycentric, b.barycentric);
+  EXPECT_EQ(a.squared_distance, b.squared_distance);
+}
+
+/// nearest and within at some points against brute force, to the last bit.
+void expect_as_brute_force(const std::vector<Triangle>& triangles, const std::vector<Point>& points) {
+  const TriangleTree tree(triangles);
+  std::vector<Nearby> found;
+  for (const Point& p : points) {
+    const Nearby expected = nearest_of_all(triangles, p);
+    const auto nearest = tree.nearest(p);
+    ASSERT_TRUE(nearest);
+    expect_equal(*nearest, expected);
+    const double d = std::sqrt(expected.squared_distance);
+    ASSERT_TRUE(tree.nearest(p, d * (1 + 1e-14) + 1e-300));
+    expect_equal(*tree.nearest(p, 2 * d + 1), expected);
+    EXPECT_FALSE(d > 0 && tree.nearest(p, d * (1 - 1e-12)));
+    const double radius = 1.5 * d + 0.01;
+    tree.within(p, radius, found);
+    auto next = found.begin();
+    for (Index f = 0; f < triangles.size(); ++f) {
+      const auto q = closest_point(p, triangles[f]);
+      if (q.squared_distance > radius * radius) continue;
+      ASSERT_NE(next, found.end());
+      expect_equal(*next++, {f, q.barycentric, q.squared_distance});
+    }
+    EXPECT_EQ(next, found.end());
+  }
+}
+
+std::vector<Point> points(std::size_t n, unsigned seed, const Point& low, const Point& high) {
+  Random random(seed);
+  std::vector<Point> all(n);
+  for (Point& p : all) p = random.point(low, high);
+  return all;
+}
+
+TEST(ClosestPoint, IsNoFartherThanAnyPointOfADenseSampling) {
+  Random random(1);
+  for (int k = 0; k < 200; ++k) {
+    const Triangle t = soup(1, static_cast<unsigned>(k), 1, {-1, -1, -1}, {1, 1, 1})[0];
+    const Point p = random.point({-2, -2, -2}, {2, 2, 2});
+    const auto q = closest_point(p, t);
+    const auto& w = q.barycentric;
+    EXPECT_NEAR(w[0] + w[1] + w[2], 1, 1e-15);
+    EXPECT_GE(std::min({w[0], w[1], w[2]}), 0);
+    const double d = std::sqrt(q.squared_distance);
+    EXPECT_NEAR(distance(p, at(t, w)), d, 1e-14);
+    double least = infinity;
+    for (int i = 0; i <= 100; ++i)
+      for (int j = 0; i + j <= 100; ++j)
+        least = std::min(least, distance(p, at(t, {i / 100.0, j / 100.0, (100 - i - j) / 100.0})));
+    EXPECT_LE(d, least + 1e-14);
+    EXPECT_GT(d, least - 0.02);
+  }
+}
+
+TEST(ClosestPoint, RegionsOfATriangle) {
+  const Triangle t{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  EXPECT_EQ(closest_point({0.25, 0.25, 2}, t).squared_distance, 4);
+  EXPECT_EQ(closest_point({-1, -1, 0}, t).barycentric, (std::array<double, 3>{1, 0, 0}));
+  EXPECT_EQ(closest_point({0.5, -3, 0}, t).squared_distance, 9);
+  EXPECT_EQ(closest_point({1, 1, 0}, t).barycentric, (std::array<double, 3>{0, 0.5, 0.5}));
+}
+
+TEST(ClosestPoint, TrianglesWithoutAreaAreSegmentsOrPoints) {
+  const Triangle segment{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}}, point{{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}};
+  EXPECT_EQ(closest_point({0.5, 1, 0}, segment).squared_distance, 1);
+  EXPECT_EQ(closest_point({3, 0, 0}, segment).squared_distance, 1);
+  EXPECT_EQ(closest_point({1, 2, 5}, point).squared_distance, 4);
+}
+
+TEST(ClosestPoint, ANeedleFarFromTheOriginLosesNoDigits) {
+  const Triangle needle{{{1e6, 0, 0}, {1e6 + 1, 1e-9, 0}, {1e6 + 2, 0, 0}}};
+  EXPECT_NEAR(std::sqrt(closest_point({1e6 + 0.7, 0.5e-9, 0}, needle).squared_distance), 0, 1e-12);
+  EXPECT_NEAR(std::sqrt(closest_point({1e6 + 0.7, 0, 1}, needle).squared_distance), 1, 1e-15);
+}
+
+TEST(TriangleTree, RandomTriangles) {
+  expect_as_brute_force(soup(2000, 3, 0.1, {0, 0, 0}, {1, 1, 1}), points(500, 4, {-1, -1, -1}, {2, 2, 2}));
+  expect_as_brute_force(soup(300, 5, 1, {0, 0, 0}, {1, 1, 1}), points(200, 6, {0, 0, 0}, {1, 1, 1}));
+}
+
+TEST(TriangleTree, PointsOnTheTrianglesAreFoundAtDistanceZero) {
+  const auto triangles = soup(2000, 7, 0.05, {0, 0, 0}, {1, 1, 1});
+  std::vector<Point> corners;
+  for (const Triangle& t : triangles) corners.push_back(t[2]);
+  expect_as_brute_force(triangles, corners);
+}
+
+TEST(TriangleTree, AFlatBox) {
+  expect_as_brute_force(soup(2000, 8, 0.02, {0, 0, 0}, {1, 1, 0}), points(300, 9, {-1, -1, 0}, {2, 2, 0}));
+  expect_as_brute_force(soup(500, 10, 0.02, {0, 3, 5}, {1, 3, 5}), points(100, 11, {-1, 2, 4}, {2, 4, 6}));
+}
+
+TEST(TriangleTree, TrianglesWithoutArea) {
+  auto triangles = soup(600, 12, 0.1, {0, 0, 0}, {1, 1, 1});
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    Triangle& t = triangles[i];
+    if (i % 3 == 0) t[1] = t[0];
+    if (i % 3 == 1) t[1] = t[2] = t[0];
+  }
+  expect_as_brute_force(triangles, points(300, 13, {-1, -1, -1}, {2, 2, 2}));
+}
+
+TEST(TriangleTree, FarFromTheOriginAndSmall) {
+  const Point low{1e7, -1e7, 3e6}, high{1e7 + 1e-2, -1e7 + 1e-2, 3e6 + 1e-2};
+  expect_as_brute_force(soup(1000, 14, 1e-3, low, high), points(200, 15, low, high));
+}
+
+TEST(TriangleTree, PointsFarAway) {
+  const auto triangles = soup(1000, 16, 0.1, {0, 0, 0}, {1, 1, 1});
+  for (const double far : {1e1, 1e3, 1e5, 1e7, 1e12})
+    expect_as_brute_force(triangles, points(50, 17, {-far, -far, -far}, {far, far, far}));
+}
+
+TEST(TriangleTree, OneFarTriangleDoesNotHideTheOthers) {
+  auto triangles = soup(1000, 18, 1e-6, {0, 0, 0}, {1e-5, 1e-5, 1e-5});
+  triangles.push_back({{{1e4, 0, 0}, {1e4, 1, 0}, {1e4, 0, 1}}});
+  expect_as_brute_force(triangles, points(100, 19, {0, 0, 0}, {1e-5, 1e-5, 1e-5}));
+}
+
+TEST(TriangleTree, TiesGoToTheLowestFacet) {
+  const Triangle t{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  const TriangleTree tree(std::vector<Triangle>(100, t));
+  EXPECT_EQ(tree.nearest({0.2, 0.2, 1})->facet, 0U);
+  std::vector<Nearby> found;
+  tree.within({0.2, 0.2, 1}, 1, found);
+  EXPECT_EQ(found.size(), 100U) << "the radius is inclusive";
+}
+
+TEST(TriangleTree, WithoutTrianglesNothingIsNear) {
+  const TriangleTree tree(std::vector<Triangle>{});
+  EXPECT_FALSE(tree.nearest({0, 0, 0}));
+  std::vector<Nearby> found(1);
+  tree.within({0, 0, 0}, 1, found);
+  EXPECT_TRUE(found.empty());
+}
+
+TEST(TriangleTree, AllTrianglesInOnePoint) {
+  const Triangle t{{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}};
+  const TriangleTree tree(std::vector{t});
+  EXPECT_EQ(tree.nearest({1, 2, 5})->squared_distance, 4);
+}
+
+TEST(TriangleTree, RefusesWhatIsNotFinite) {
+  Triangle t{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  const TriangleTree tree(std::vector{t});
+  EXPECT_THROW((void)tree.nearest({infinity, 0, 0}), UsageError);
+  t[2][1] = std::nan("");
+  EXPECT_THROW(TriangleTree(std::vector{t}), InputError);
+}
+
+TEST(TriangleTree, AnswersManyThreads) {
+  const auto triangles = soup(3000, 20, 0.1, {0, 0, 0}, {1, 1, 1});
+  const auto asked = points(2000, 21, {0, 0, 0}, {1, 1, 1});
+  const TriangleTree tree(triangles);
+  std::vector<std::vector<Nearby>> answers(4, std::vector<Nearby>(asked.size()));
+  std::vector<std::thread> threads;
+  for (auto& answer : answers)
+    threads.emplace_back([&] {
+      for (std::size_t i = 0; i < asked.size(); ++i) answer[i] = *tree.nearest(asked[i]);
+    });
+  for (auto& t : threads) t.join();
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    for (const auto& answer : answers) expect_equal(answer[i], answers[0][i]);
+}
+
+}  // namespace
+}  // namespace multimesh::spatial
