@@ -40,6 +40,7 @@ concept Interpolable = !std::is_integral_v<T> && requires(const T& a) {
 /// The default rule interpolates: (1-t) a + t b at the new or merged vertex. Another rule may be given,
 /// per attribute, for instance one that pulls the value from the parent's mesh:
 ///   [&](Operation, const VertexChange& c) { return parent_values[c.above]; }
+/// A rule only reads: invariants ask it, by result(), what the vertex would get.
 template <class T>
 class VertexAttribute final : public Attribute {
  public:
@@ -58,15 +59,24 @@ class VertexAttribute final : public Attribute {
     (*values_)[v] = std::move(value);
   }
 
+  /// What the new or merged vertex of a split or collapse gets; may be asked before it is done.
+  T result(Operation operation, const VertexChange& c) const {
+    return rule_ ? rule_(operation, c) : interpolated(c);
+  }
+  /// The default rule.
+  T interpolated(const VertexChange& c) const {
+    const Index same = c.t <= 0 ? c.a : c.t >= 1 ? c.b : no_index;
+    if constexpr (Interpolable<T>) {
+      if (same == no_index) return T((*values_)[c.a] * (1.0 - c.t) + (*values_)[c.b] * c.t);
+    }
+    return (*values_)[same != no_index ? same : c.t < 0.5 ? c.a : c.b];
+  }
+
   void update(Operation operation, const VertexChange& c) override {
     if (rule_) return set(c.vertex, rule_(operation, c));
     if (operation == Operation::relocate || operation == Operation::flip) return;
-    const Index same = c.t <= 0 ? c.a : c.t >= 1 ? c.b : no_index;
-    if (same == c.vertex) return;
-    if constexpr (Interpolable<T>) {
-      if (same == no_index) return set(c.vertex, T((*values_)[c.a] * (1.0 - c.t) + (*values_)[c.b] * c.t));
-    }
-    set(c.vertex, T((*values_)[same != no_index ? same : c.t < 0.5 ? c.a : c.b]));
+    if ((c.t <= 0 ? c.a : c.t >= 1 ? c.b : no_index) == c.vertex) return;
+    set(c.vertex, interpolated(c));
   }
 
   Mark mark() const override { return undo_.size(); }

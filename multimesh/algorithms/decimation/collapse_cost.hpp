@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "multimesh/algorithms/decimation/deviation_form.hpp"
+#include "multimesh/algorithms/decimation/predicted_star.hpp"
+
+namespace multimesh::decimation {
+
+/// What collapsing an edge costs, and the best place for the merged vertex.
+///
+/// The cost is the squared deviation of the merged vertex from the triangles around both ends, as they are
+/// now, each weighted by a third of its area: the distance to the triangle's plane and, weighted by
+/// `uv_weight`, the distance along it between the vertex and where the texture has its content (the texture
+/// deviation of Cohen, Olano, Manocha 1998, with the texture continued affinely). It is quadratic in position
+/// and texture coordinates together (Garland & Heckbert 1998; Hoppe 1999), and measures lengths in space only:
+/// no weight depends on the scale of the model or of its texture. Memoryless (Lindstrom & Turk 1998): a vertex
+/// of the current surface deviates by nothing, so that its form has no linear part, and what is kept per
+/// vertex is the sum over its triangles. Curves add planes through their edges.
+class CollapseCost {
+ public:
+  /// Cost: linear.
+  CollapseCost(const TexturedSurface& surface, const DecimateOptions& options, Strata& strata,
+               const TriangleReader& reader);
+
+  /// The best plan; nothing if the ranks of the ends tell that no collapse of this edge is legal.
+  std::optional<CollapsePlan> plan(Dart e) const;
+  /// The plan that puts the merged vertex on the edge, at (1-t) a + t b.
+  CollapsePlan plan_at(Dart e, double t) const;
+
+  /// Brings the forms up to date after the collapse that `star` predicted, by this plan.
+  void collapsed(const PredictedStar& star, const CollapsePlan& plan, End kept);
+
+ private:
+  struct Shape;
+
+  void find_copies(Dart e, CollapsePlan& plan) const;
+  double deviation(const CollapsePlan& plan) const;
+  void minimize(CollapsePlan& plan) const;
+  void add(const SurfaceTriangle& t, double sign);
+  void add_curves(const SurfaceTriangle& t, const Shape& shape, double sign);
+
+  const TexturedSurface& surface_;
+  const DecimateOptions& options_;
+  const MultiMesh& tree_;
+  const Mesh& root_;
+  Strata& strata_;
+  const TriangleReader& reader_;
+  std::vector<PositionForm> position_forms_;  ///< per vertex of the surface
+  struct Set {
+    NodeId node;
+    std::vector<TextureForm> forms;  ///< per vertex of the texture
+    std::vector<Index> only_copy;    ///< per vertex of the surface: its one copy here, if it has just one
+  };
+  std::vector<Set> sets_;
+  mutable DartBuffer found_;
+};
+
+}  // namespace multimesh::decimation

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OpenMesh/Core/Geometry/VectorT.hh>
+#include <array>
+#include <span>
+
+#include "multimesh/dart.hpp"
+
+namespace multimesh::decimation {
+
+/// UV sets that a surface may have.
+inline constexpr std::size_t max_sets = 4;
+
+/// What is to become of an edge a-b of the surface: where its merged vertex goes, in space and in each of its
+/// copies in the textures.
+struct CollapsePlan {
+  struct Copy {
+    std::size_t set;
+    Index a, b;  ///< vertices of that texture
+    OpenMesh::Vec2d texcoord;
+  };
+
+  Index a = no_index, b = no_index;  ///< vertices of the surface
+  double cost = 0;                   ///< squared deviation, integrated: length^2 x area
+  /// The merged vertex has the values of (1-t) a + t b, but for its position and texture coordinates, which
+  /// are these:
+  double t = 0.5;
+  OpenMesh::Vec3d position;
+  std::array<Copy, 2 * max_sets> copy_list;  ///< an edge has at most two copies per set
+  std::size_t n_copies = 0;
+
+  std::span<Copy> copies() { return {copy_list.data(), n_copies}; }
+  std::span<const Copy> copies() const { return {copy_list.data(), n_copies}; }
+  /// Whether the merged vertex has another place than this end.
+  bool moves(End end) const { return t != (end == End::a ? 0.0 : 1.0); }
+};
+
+}  // namespace multimesh::decimation

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OpenMesh/Core/Geometry/VectorT.hh>
+
+namespace multimesh::decimation {
+
+using OpenMesh::Vec2d;
+using OpenMesh::Vec3d;
+
+/// x'Ax, x a displacement in space. Unit: area.
+struct PositionForm {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+  /// weight (n.x)^2
+  static PositionForm plane(const Vec3d& n, double weight) {
+    const Vec3d m = n * weight;
+    return {m[0] * n[0], m[0] * n[1], m[0] * n[2], m[1] * n[1], m[1] * n[2], m[2] * n[2]};
+  }
+  /// weight |x|^2
+  static PositionForm point(double weight) { return {weight, 0, 0, weight, 0, weight}; }
+
+  void add(const PositionForm& f, double sign) {
+    xx += sign * f.xx, xy += sign * f.xy, xz += sign * f.xz;
+    yy += sign * f.yy, yz += sign * f.yz, zz += sign * f.zz;
+  }
+  PositionForm operator+(const PositionForm& f) const {
+    PositionForm sum = *this;
+    sum.add(f, 1);
+    return sum;
+  }
+  PositionForm operator-(const PositionForm& f) const {
+    PositionForm difference = *this;
+    difference.add(f, -1);
+    return difference;
+  }
+  Vec3d times(const Vec3d& x) const {
+    return {xx * x[0] + xy * x[1] + xz * x[2], xy * x[0] + yy * x[1] + yz * x[2],
+            xz * x[0] + yz * x[1] + zz * x[2]};
+  }
+  double operator()(const Vec3d& x) const { return dot(x, times(x)); }
+  double trace() const { return xx + yy + zz; }
+};
+
+/// The least point of x'Ax + 2 f.x; 0 if A is singular.
+inline Vec3d minimum(const PositionForm& a, const Vec3d& f) {
+  const double xx = a.yy * a.zz - a.yz * a.yz, xy = a.xz * a.yz - a.xy * a.zz, xz = a.xy * a.yz - a.xz * a.yy;
+  const double yy = a.xx * a.zz - a.xz * a.xz, yz = a.xy * a.xz - a.xx * a.yz, zz = a.xx * a.yy - a.xy * a.xy;
+  const double determinant = a.xx * xx + a.xy * xy + a.xz * xz, trace = a.trace();
+  if (!(determinant > 1e-15 * trace * trace * trace)) return {0, 0, 0};
+  return PositionForm{xx, xy, xz, yy, yz, zz}.times(f) / -determinant;
+}
+
+/// 2 x'My + y'Sy, x a displacement in space and y one in the texture: what a PositionForm lacks to be a form
+/// in both.
+struct TextureForm {
+  double xu = 0, xv = 0, yu = 0, yv = 0, zu = 0, zv = 0;
+  double uu = 0, uv = 0, vv = 0;
+
+  void add(const TextureForm& f, double sign) {
+    xu += sign * f.xu, xv += sign * f.xv, yu += sign * f.yu, yv += sign * f.yv;
+    zu += sign * f.zu, zv += sign * f.zv, uu += sign * f.uu, uv += sign * f.uv, vv += sign * f.vv;
+  }
+  TextureForm operator+(const TextureForm& f) const {
+    TextureForm sum = *this;
+    sum.add(f, 1);
+    return sum;
+  }
+  TextureForm operator-(const TextureForm& f) const {
+    TextureForm difference = *this;
+    difference.add(f, -1);
+    return difference;
+  }
+  /// M y
+  Vec3d mixed(const Vec2d& y) const {
+    return {xu * y[0] + xv * y[1], yu * y[0] + yv * y[1], zu * y[0] + zv * y[1]};
+  }
+  /// M' x
+  Vec2d mixed(const Vec3d& x) const {
+    return {xu * x[0] + yu * x[1] + zu * x[2], xv * x[0] + yv * x[1] + zv * x[2]};
+  }
+  /// S y
+  Vec2d times(const Vec2d& y) const { return {uu * y[0] + uv * y[1], uv * y[0] + vv * y[1]}; }
+  double operator()(const Vec3d& x, const Vec2d& y) const {
+    return 2 * dot(x, mixed(y)) + dot(y, times(y));
+  }
+};
+
+}  // namespace multimesh::decimation

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "multimesh/algorithms/decimation/surface_triangle.hpp"
+
+namespace multimesh::decimation {
+
+/// The triangles around an edge that may be collapsed, as they are and as a plan would make them: placements
+/// are judged on it before anything is touched.
+///
+///     .---b---.      .-------.      `faces`: those around a or b; corner 0 is that end. Those over the edge
+///    / \ / \ / \    / \     / \     die: their corners 0 and 1 are a and b.
+///   .---l   r---.   .--- v ---.
+///    \ / \ / \ /    \ /     \ /
+///     .---a---.      .-------.
+class PredictedStar {
+ public:
+  struct Face {
+    SurfaceTriangle before;
+    End end = End::a;
+    bool dies = false;
+    bool changes = false;  ///< by the plan
+    /// Corner 0 after the plan.
+    OpenMesh::Vec3d position;
+    std::array<OpenMesh::Vec2d, max_sets> texcoords;
+
+    std::array<OpenMesh::Vec3d, 3> positions_after() const {
+      return {position, before.positions[1], before.positions[2]};
+    }
+    std::array<OpenMesh::Vec2d, 3> texcoords_after(std::size_t set) const {
+      const auto& t = before.sets[set].texcoords;
+      return {texcoords[set], t[1], t[2]};
+    }
+  };
+
+  PredictedStar(const MultiMesh& tree, const TriangleReader& reader)
+      : root_(tree.mesh(NodeId::root)), reader_(reader) {}
+
+  /// Reads the star of an edge dart (a, b, ...) of the root. Re-uses its memory. Cost: that of the star.
+  void read(Dart e);
+  /// What a plan for this edge would make of it.
+  void place(const CollapsePlan& plan);
+
+  std::span<const Face> faces() const { return {faces_.data(), n_faces_}; }
+  std::size_t n_sets() const { return reader_.n_sets(); }
+
+ private:
+  Face& next_face();
+  void read_end(Dart end, Index other, End which);
+
+  const Mesh& root_;
+  const TriangleReader& reader_;
+  std::vector<Face> faces_;
+  std::size_t n_faces_ = 0;
+  DartBuffer star_;
+};
+
+}  // namespace multimesh::decimation

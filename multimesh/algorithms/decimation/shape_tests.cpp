@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/decimation/shape_tests.hpp"
+
+#include <algorithm>
+
+namespace multimesh::decimation {
+
+using OpenMesh::Vec3d;
+
+namespace {
+
+Vec3d area_vector(const std::array<Vec3d, 3>& p) {
+  return cross(p[1] - p[0], p[2] - p[0]);
+}
+
+double longest_squared(const std::array<Vec3d, 3>& p) {
+  return std::max({(p[1] - p[0]).sqrnorm(), (p[2] - p[1]).sqrnorm(), (p[0] - p[2]).sqrnorm()});
+}
+
+double aspect_ratio(const std::array<Vec3d, 3>& p) {
+  const double doubled_area = area_vector(p).norm();
+  return doubled_area > 0 ? longest_squared(p) / doubled_area : std::numeric_limits<double>::infinity();
+}
+
+double angle_between(const Vec3d& x, const Vec3d& y) {
+  return std::acos(std::clamp(dot(x, y), -1.0, 1.0));
+}
+
+}  // namespace
+
+bool NormalTurn::allows(const PredictedStar& star, const CollapsePlan&) {
+  for (const PredictedStar::Face& f : star.faces()) {
+    if (f.dies || !f.changes) continue;
+    const Vec3d before = area_vector(f.before.positions);
+    const double had = before.sqrnorm();
+    if (!(had > 0)) continue;
+    const auto positions = f.positions_after();
+    const Vec3d after = area_vector(positions);
+    const double has = after.sqrnorm(), longest = longest_squared(positions);
+    if (has <= 1e-20 * longest * longest) return false;
+    if (dot(before, after) < min_cosine_ * std::sqrt(had * has)) return false;
+  }
+  return true;
+}
+
+bool AspectRatio::allows(const PredictedStar& star, const CollapsePlan&) {
+  double had = 0, has = 0;
+  for (const PredictedStar::Face& f : star.faces()) {
+    if (!f.changes) continue;
+    had = std::max(had, aspect_ratio(f.before.positions));
+    if (!f.dies) has = std::max(has, aspect_ratio(f.positions_after()));
+  }
+  return has <= limit_ || has < had;
+}
+
+NormalDeviation::NormalDeviation(const TexturedSurface& surface, double limit)
+    : PlacementTest("normal deviation"), limit_(limit) {
+  const Mesh& root = surface.tree().mesh(NodeId::root);
+  cones_.resize(root.capacity(2));
+  for (Index f = 0; f < root.capacity(2); ++f) {
+    if (!root.is_live(2, f)) continue;
+    std::array<Index, 4> v;
+    root.vertices(root.dart_of(2, f), v.data());
+    const auto& p = surface.positions();
+    const Vec3d n = area_vector({p[v[0]], p[v[1]], p[v[2]]});
+    if (n.norm() > 0) cones_[f] = {n / n.norm(), 0};
+  }
+}
+
+/// The least cone that holds both.
+NormalDeviation::Cone NormalDeviation::join(const Cone& x, const Cone& y) {
+  if (x.angle < 0) return y;
+  if (y.angle < 0) return x;
+  const double between = angle_between(x.axis, y.axis);
+  if (between + y.angle <= x.angle) return x;
+  if (between + x.angle <= y.angle) return y;
+  const double angle = (between + x.angle + y.angle) / 2;
+  if (angle >= M_PI) return {x.axis, M_PI};
+  // Turned from x's axis towards y's, in their plane.
+  Vec3d sideways = y.axis - x.axis * dot(x.axis, y.axis);
+  if (!(sideways.norm() > 0)) return {x.axis, M_PI};
+  sideways.normalize();
+  const double turn = angle - x.angle;
+  return {x.axis * std::cos(turn) + sideways * std::sin(turn), angle};
+}
+
+// The area of a dead triangle goes to its neighbours, the triangles that meet at its apex afterwards.
+NormalDeviation::Cone NormalDeviation::cone_after(const PredictedStar& star,
+                                                  const PredictedStar::Face& face) const {
+  Cone cone = cones_[face.before.facet];
+  for (const PredictedStar::Face& dead : star.faces()) {
+    const Index apex = dead.before.vertices[2];
+    if (dead.dies && (face.before.vertices[1] == apex || face.before.vertices[2] == apex))
+      cone = join(cone, cones_[dead.before.facet]);
+  }
+  return cone;
+}
+
+bool NormalDeviation::allows(const PredictedStar& star, const CollapsePlan&) {
+  for (const PredictedStar::Face& f : star.faces()) {
+    if (f.dies) continue;
+    const Cone cone = cone_after(star, f);
+    const Vec3d n = area_vector(f.positions_after());
+    if (cone.angle < 0 || !(n.norm() > 0)) continue;
+    if (angle_between(n / n.norm(), cone.axis) + cone.angle > limit_) return false;
+  }
+  return true;
+}
+
+void NormalDeviation::collapsed(const PredictedStar& star, const CollapsePlan&) {
+  for (const PredictedStar::Face& f : star.faces())
+    if (!f.dies) cones_[f.before.facet] = cone_after(star, f);
+}
+
+}  // namespace multimesh::decimation

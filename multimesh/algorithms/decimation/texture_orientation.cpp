@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/decimation/texture_orientation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multimesh::decimation {
+
+using OpenMesh::Vec2d;
+
+namespace {
+
+/// Doubled area that counts as none, relative to the squared diagonal of the bounding box.
+constexpr double relative_no_area = 1e-11;
+
+double doubled_area(const std::array<Vec2d, 3>& t) {
+  const Vec2d u = t[1] - t[0], v = t[2] - t[0];
+  return u[0] * v[1] - u[1] * v[0];
+}
+
+int sign(double area, double none) {
+  return area > none ? 1 : area < -none ? -1 : 0;
+}
+
+struct Box {
+  Vec2d low{1e300, 1e300}, high{-1e300, -1e300};
+  void add(const Vec2d& p) { low.minimize(p), high.maximize(p); }
+  double squared_diagonal() const { return low[0] > high[0] ? 0 : (high - low).sqrnorm(); }
+};
+
+}  // namespace
+
+TextureOrientation::TextureOrientation(const TexturedSurface& surface, const TriangleReader& reader,
+                                       std::size_t set)
+    : PlacementTest(set == 0 ? "texture orientation" : "texture orientation " + std::to_string(set + 1)),
+      set_(set) {
+  find_charts(surface.tree().mesh(surface.textures()[set]));
+  orient_charts(surface, reader);
+}
+
+void TextureOrientation::find_charts(const Mesh& texture) {
+  chart_of_.assign(texture.capacity(2), no_index);
+  std::vector<Index> chart;
+  for (Index start = 0; start < texture.capacity(2); ++start) {
+    if (chart_of_[start] != no_index || !texture.is_live(2, start)) continue;
+    const auto id = static_cast<Index>(charts_.size());
+    charts_.emplace_back();
+    chart_of_[start] = id;
+    chart.assign(1, start);
+    while (!chart.empty()) {
+      Dart d = texture.dart_of(2, chart.back());
+      chart.pop_back();
+      for (int side = 0; side < 3; ++side, d = texture.reorder(d, edge_bx)) {
+        const Dart across = texture.switch_dart(d, 2);
+        if (across == no_dart || chart_of_[texture.facet(across)] != no_index) continue;
+        chart_of_[texture.facet(across)] = id;
+        chart.push_back(texture.facet(across));
+      }
+    }
+  }
+}
+
+// Signs are taken in the order that the surface's own darts give, since stars are read in it; a chart runs
+// with the surface everywhere or against it everywhere.
+void TextureOrientation::orient_charts(const TexturedSurface& surface, const TriangleReader& reader) {
+  const Mesh& root = surface.tree().mesh(NodeId::root);
+  std::vector<double> total(charts_.size(), 0);
+  std::vector<Box> boxes(charts_.size());
+  Box whole;
+  SurfaceTriangle t;
+  for (Index f = 0; f < root.capacity(2); ++f) {
+    if (!root.is_live(2, f)) continue;
+    reader.read(root.dart_of(2, f), t);
+    if (t.sets[set_].facet == no_index) continue;
+    const Index chart = chart_of_[t.sets[set_].facet];
+    total[chart] += doubled_area(t.sets[set_].texcoords);
+    for (const Vec2d& p : t.sets[set_].texcoords) boxes[chart].add(p), whole.add(p);
+  }
+  no_area_ = relative_no_area * whole.squared_diagonal();
+  for (std::size_t c = 0; c < charts_.size(); ++c)
+    charts_[c] = {sign(total[c], 0), relative_no_area * boxes[c].squared_diagonal()};
+}
+
+bool TextureOrientation::allows(const PredictedStar& star, const CollapsePlan&) {
+  return std::all_of(star.faces().begin(), star.faces().end(), [&](const PredictedStar::Face& f) {
+    return f.dies || !f.changes || f.before.sets[set_].facet == no_index || keeps_sign(f);
+  });
+}
+
+bool TextureOrientation::keeps_sign(const PredictedStar::Face& f) const {
+  const Chart& chart = charts_[chart_of_[f.before.sets[set_].facet]];
+  const double before = doubled_area(f.before.sets[set_].texcoords), after = doubled_area(f.texcoords_after(set_));
+  const int had = sign(before, chart.no_area), has = sign(after, chart.no_area);
+  if (has != had && has != chart.sign) return false;
+  return std::abs(before) <= no_area_ || std::abs(after) > no_area_;
+}
+
+}  // namespace multimesh::decimation
