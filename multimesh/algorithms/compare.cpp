@@ -214,7 +214,7 @@ void Comparison::compare_textures() {
   std::vector<double> deviation;
   for (std::size_t i = 0; i < at.size(); ++i) {
     deviation.push_back(relative((places[i].position - at[i].position).norm()));
-    result.outside += places[i].uv_distance > map.touching();
+    result.outside += places[i].uv_distance > map.rounding();
   }
   result.outside /= std::max(1.0, static_cast<double>(at.size()));
   result.deviation = summary(std::move(deviation));

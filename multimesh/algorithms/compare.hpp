@@ -51,7 +51,7 @@ struct TextureComparison {
   /// 150 dB, where differences are roundings.
   double color_psnr = 0;
   SeamCrack crack;
-  double outside = 0;  ///< share of the textured samples farther than 2e-5 UV diagonals from the texture
+  double outside = 0;  ///< share of the textured samples farther than 1e-6 UV diagonals from the texture
 };
 
 /// One of the two surfaces by itself.

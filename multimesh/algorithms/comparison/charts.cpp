@@ -10,9 +10,12 @@ namespace multimesh::comparison {
 std::vector<Index> charts(const TexturedTriangles& surface, const EdgeSides& sides) {
   UnionFind sets(surface.triangles.size());
   sides.for_each_edge([&](std::span<const EdgeSide> at) {
-    for (std::size_t i = 0; i < at.size(); ++i)
-      for (std::size_t j = i + 1; j < at.size(); ++j)
-        if (sides.same_texture(at[i], at[j])) sets.join(at[i].triangle, at[j].triangle);
+    for (const EdgeSide& side : at) {
+      const auto same = [&](const EdgeSide& s) { return sides.same_texture(side, s); };
+      if (std::count_if(at.begin(), at.end(), same) != 2) continue;
+      const EdgeSide& first = *std::find_if(at.begin(), at.end(), same);
+      if (first.forward != side.forward) sets.join(side.triangle, first.triangle);
+    }
   });
   std::vector<Index> chart(surface.triangles.size());
   for (Index t = 0; t < chart.size(); ++t) chart[t] = sets.find(t);

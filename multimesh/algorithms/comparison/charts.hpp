@@ -5,8 +5,8 @@
 
 namespace multimesh::comparison {
 
-/// Per triangle the least triangle of its chart: triangles are of one chart if they meet in an edge that is
-/// no seam. A triangle without texture is alone.
+/// Per triangle the least triangle of its chart: triangles are of one chart if they, and no third one, meet
+/// in an edge of the texture, and agree in orientation there. A triangle without texture is alone.
 std::vector<Index> charts(const TexturedTriangles& surface, const EdgeSides& sides);
 
 /// Per triangle the sum of `weight` over its chart.

@@ -9,9 +9,9 @@ EdgeSides::EdgeSides(const TexturedTriangles& surface) : surface_(surface) {
   sides_.reserve(3 * surface.triangles.size());
   for (Index t = 0; t < surface.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
-      auto a = surface.triangles[t][i], b = surface.triangles[t][(i + 1) % 3];
-      if (a.position > b.position) std::swap(a, b);
-      sides_.push_back({t, a, b});
+      const auto a = surface.triangles[t][i], b = surface.triangles[t][(i + 1) % 3];
+      const bool forward = a.position < b.position;
+      sides_.push_back({t, forward ? a : b, forward ? b : a, forward});
     }
   std::sort(sides_.begin(), sides_.end(), [](const EdgeSide& a, const EdgeSide& b) {
     return std::tie(a.low.position, a.high.position, a.triangle) <

@@ -7,11 +7,11 @@
 
 namespace multimesh::comparison {
 
-/// A triangle at one of its edges, its ends in the order of their positions' numbers, whichever way the
-/// triangle runs.
+/// A triangle at one of its edges, its ends in the order of their positions' numbers.
 struct EdgeSide {
   Index triangle;
   TexturedTriangles::Corner low, high;
+  bool forward;  ///< the triangle runs from low to high
 };
 
 /// The sides of all edges of a surface, as it is given; nothing is cut.

@@ -25,6 +25,7 @@ class TextureMap {
 
   double diagonal() const { return diagonal_; }         ///< of the bounding box in the UV plane
   double touching() const { return 2e-5 * diagonal_; }  ///< in UV: a fraction of a texel
+  double rounding() const { return 1e-6 * diagonal_; }  ///< in UV: what files of six digits leave open
 
  private:
   const TexturedTriangles& surface_;
