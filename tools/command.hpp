@@ -8,6 +8,7 @@ namespace multimesh::tools {
 enum ExitCode : int { done = 0, refused = 1, usage = 2 };
 
 /// Each adds its subcommand, and sets `exit_code` when it has run.
+void add_compare_command(CLI::App& app, int& exit_code);
 void add_decimate_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 

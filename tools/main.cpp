@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
       "multimesh COMMAND --help says more.\nExit status: 0 done, 1 refused or bad input, 2 wrong usage.");
   int exit_code = tools::done;
   tools::add_decimate_command(app, exit_code);
+  tools::add_compare_command(app, exit_code);
   tools::add_info_command(app, exit_code);
   try {
     app.parse(argc, argv);

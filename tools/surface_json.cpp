@@ -13,20 +13,25 @@ Json to_json(const MeshReport& r) {
   return j;
 }
 
-Json to_json(const TexturedSurface& surface) {
+Json to_json(const SurfaceReport& r) {
   Json j;
-  j["surface"] = to_json(report(surface.tree().mesh(NodeId::root)));
+  j["surface"] = to_json(r.surface);
   j["texture"] = nullptr;
   j["seams"] = nullptr;
-  if (surface.texture()) {
-    j["texture"] = to_json(report(surface.tree().mesh(*surface.texture())));
-    j["texture"]["charts"] = j["texture"]["components"];
+  if (r.texture) {
+    j["texture"] = to_json(*r.texture);
+    j["texture"]["charts"] = r.texture->components;
   }
-  if (surface.seams()) {
-    const SeamReport s = report_seams(surface);
-    j["seams"] = {{"edges", s.edges}, {"curves", s.curves}, {"ends", s.ends}, {"junctions", s.junctions}};
-  }
+  if (r.seams)
+    j["seams"] = {{"edges", r.seams->edges},
+                  {"curves", r.seams->curves},
+                  {"ends", r.seams->ends},
+                  {"junctions", r.seams->junctions}};
   return j;
+}
+
+Json to_json(const TexturedSurface& surface) {
+  return to_json(report(surface));
 }
 
 std::string to_text(const Json& j) {

@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 
 /// {"surface": .., "texture": .., "seams": ..}; texture and seams are null where there is none.
 Json to_json(const TexturedSurface& surface);
+Json to_json(const SurfaceReport& report);
 Json to_json(const MeshReport& mesh);
 
 /// Indented. File and material names need not be UTF-8: what is not becomes U+FFFD.

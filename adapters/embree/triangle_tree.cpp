@@ -51,7 +51,8 @@ struct Frame {
     Point low = triangles[0][0], high = low;
     for (const Triangle& t : triangles)
       for (const Point& p : t)
-        for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
+        for (std::size_t i = 0; i < 3; ++i)
+          low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
     double half = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       center[i] = low[i] / 2 + high[i] / 2;
@@ -186,8 +187,7 @@ void TriangleTree::within(const Point& p, double radius, std::vector<Nearby>& fo
     if (q.squared_distance <= radius * radius) found.push_back({facet, q.barycentric, q.squared_distance});
     return radius;
   });
-  std::sort(found.begin(), found.end(),
-            [](const Nearby& a, const Nearby& b) { return a.facet < b.facet; });
+  std::sort(found.begin(), found.end(), [](const Nearby& a, const Nearby& b) { return a.facet < b.facet; });
 }
 
 }  // namespace multimesh::spatial

@@ -89,6 +89,13 @@ SeamReport report_seams(const TexturedSurface& surface) {
   return r;
 }
 
+SurfaceReport report(const TexturedSurface& surface) {
+  SurfaceReport r{report(surface.tree().mesh(NodeId::root)), {}, {}};
+  if (surface.texture()) r.texture = report(surface.tree().mesh(*surface.texture()));
+  if (surface.seams()) r.seams = report_seams(surface);
+  return r;
+}
+
 ManifoldReport report_manifoldness(const TexturedTriangles& input, const TexturedSurface& surface) {
   struct Side {
     std::int32_t low, high;

@@ -31,6 +31,15 @@ struct SeamReport {
 
 SeamReport report_seams(const TexturedSurface& surface);
 
+/// All meshes of a textured surface; none where it has none.
+struct SurfaceReport {
+  MeshReport surface;
+  std::optional<MeshReport> texture;  ///< its components are the charts
+  std::optional<SeamReport> seams;
+};
+
+SurfaceReport report(const TexturedSurface& surface);
+
 /// How far from manifold the triangles of an input are, as given.
 struct ManifoldReport {
   std::size_t edges_with_three_or_more = 0;

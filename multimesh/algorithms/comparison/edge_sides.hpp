@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+
+#include "multimesh/algorithms/comparison/corners.hpp"
+
+namespace multimesh::comparison {
+
+/// A triangle at one of its edges, its ends in the order of their positions' numbers.
+struct EdgeSide {
+  Index triangle;
+  TexturedTriangles::Corner low, high;
+  bool forward;  ///< the triangle runs from low to high
+};
+
+/// The sides of all edges of a surface, as it is given; nothing is cut.
+class EdgeSides {
+ public:
+  explicit EdgeSides(const TexturedTriangles& surface);
+
+  /// Calls visit(sides) for each edge: one side at the boundary, two inside, more where it is not manifold.
+  template <class Visit>
+  void for_each_edge(Visit visit) const {
+    for (std::size_t i = 0, j; i < sides_.size(); i = j) {
+      for (j = i; j < sides_.size() && same_edge(sides_[i], sides_[j]);) ++j;
+      visit(std::span<const EdgeSide>(sides_).subspan(i, j - i));
+    }
+  }
+
+  /// Both are textured, and by the same points of the texture: no seam runs between them.
+  bool same_texture(const EdgeSide& a, const EdgeSide& b) const;
+
+ private:
+  static bool same_edge(const EdgeSide& a, const EdgeSide& b) {
+    return a.low.position == b.low.position && a.high.position == b.high.position;
+  }
+  const TexturedTriangles& surface_;
+  std::vector<EdgeSide> sides_;
+};
+
+/// The points of the texture on both sides of an edge of the surface's interior, at both ends.
+struct SeamEdge {
+  std::array<OpenMesh::Vec3d, 2> position;
+  std::array<OpenMesh::Vec2d, 2> left, right;
+};
+
+/// Edges with two textured sides that differ.
+std::vector<SeamEdge> seam_edges(const TexturedTriangles& surface, const EdgeSides& sides);
+
+}  // namespace multimesh::comparison

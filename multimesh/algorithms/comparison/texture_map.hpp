@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "adapters/embree/triangle_tree.hpp"
+#include "multimesh/algorithms/comparison/corners.hpp"
+
+namespace multimesh::comparison {
+
+/// The map X from the texture to space: what place of the surface is painted at a point of its texture.
+/// Keeps a reference to the surface. Queries may be asked from many threads.
+class TextureMap {
+ public:
+  /// \pre some triangle is textured
+  explicit TextureMap(const TexturedTriangles& surface);
+
+  struct Place {
+    OpenMesh::Vec3d position;
+    Index triangle = no_index;  ///< of the surface
+    double uv_distance = 0;     ///< from the point asked for to the texture; 0 inside
+  };
+  /// X(uv). Outside of the texture its nearest point counts. Where charts overlap, or lie closer than
+  /// `touching`, that one of the places that is nearest to `near`. `buffer` is working memory.
+  Place operator()(const OpenMesh::Vec2d& uv, const OpenMesh::Vec3d& near,
+                   std::vector<spatial::Nearby>& buffer) const;
+
+  double diagonal() const { return diagonal_; }         ///< of the bounding box in the UV plane
+  double touching() const { return 2e-5 * diagonal_; }  ///< in UV: a fraction of a texel
+  double rounding() const { return 1e-6 * diagonal_; }  ///< in UV: what files of six digits leave open
+
+ private:
+  const TexturedTriangles& surface_;
+  std::vector<Index> textured_;  // the triangles in the tree
+  double diagonal_ = 0;
+  spatial::TriangleTree tree_;
+};
+
+}  // namespace multimesh::comparison

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdint>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "multimesh/error.hpp"
+#include "tools/command.hpp"
+#include "tools/comparison_json.hpp"
+#include "tools/surface_file.hpp"
+
+namespace multimesh::tools {
+
+namespace {
+
+struct CompareArguments {
+  std::string original, other;
+  CompareOptions options;
+  bool json = false;
+};
+
+/// Lines of a table: a name, then numbers in columns.
+class Table {
+ public:
+  template <class... Cells>
+  void line(const char* name, const Cells&... cells) {
+    std::cout << "  " << std::left << std::setw(24) << name;
+    (cell(cells), ...);
+    std::cout << '\n';
+  }
+
+ private:
+  template <class T>
+  void cell(const T& value) {
+    std::cout << std::right << std::setw(14) << value;
+  }
+};
+
+void print_counts(Table& table, const CountedSurface& a, const CountedSurface& b) {
+  table.line("", "original", "other");
+  table.line("triangles", a.triangles, b.triangles);
+  if (a.untextured + b.untextured > 0) table.line("without texture", a.untextured, b.untextured);
+  table.line("flipped in texture", a.flipped, b.flipped);
+  table.line("without area there", a.zero_area, b.zero_area);
+  const SurfaceReport &x = *a.meshes, &y = *b.meshes;
+  table.line("components", x.surface.components, y.surface.components);
+  table.line("boundary loops", x.surface.boundary, y.surface.boundary);
+  table.line("genus", x.surface.genus, y.surface.genus);
+  const auto both = [&](const char* name, auto value) { table.line(name, value(x), value(y)); };
+  both("charts", [](const SurfaceReport& r) { return r.texture ? r.texture->components : 0; });
+  both("their boundary loops", [](const SurfaceReport& r) { return r.texture ? r.texture->boundary : 0; });
+  both("seam edges", [](const SurfaceReport& r) { return r.seams ? r.seams->edges : 0; });
+  both("seam ends", [](const SurfaceReport& r) { return r.seams ? r.seams->ends : 0; });
+  both("seam junctions", [](const SurfaceReport& r) { return r.seams ? r.seams->junctions : 0; });
+}
+
+void print(const CompareArguments& a, const SurfaceComparison& c) {
+  std::cout << "original: " << a.original << "\nother:    " << a.other << "\n\n" << std::setprecision(4);
+  Table table;
+  print_counts(table, c.original, c.other);
+  std::cout << "\nrelative to the diagonal of the original's bounding box, " << c.diagonal << ":\n";
+  table.line("", "rms", "mean", "95 %", "max");
+  table.line("distance", c.rms, "", "", c.hausdorff);
+  table.line("  other to original", c.to_original.rms, "", "", c.to_original.max);
+  table.line("  original to other", c.from_original.rms, "", "", c.from_original.max);
+  if (!c.texture) {
+    std::cout << "\ntextures are not compared: "
+              << (c.original.untextured == c.original.triangles ? "the original has none\n"
+                                                                : "the other surface has none\n");
+    return;
+  }
+  const TextureComparison& t = *c.texture;
+  table.line("texture deviation", t.deviation.rms, t.deviation.mean, t.deviation.p95, t.deviation.max);
+  table.line("seam crack", t.crack.rms, "", "", t.crack.max);
+  std::cout << "\n";
+  table.line("colours, PSNR in dB", t.color_psnr);
+  table.line("outside of the texture", t.outside);
+}
+
+void run(const CompareArguments& a) {
+  const SurfaceFile original = read_surface(a.original), other = read_surface(a.other);
+  const SurfaceComparison comparison = compare_surfaces(original.input, other.input, a.options);
+  if (a.json) {
+    Json j{{"original_file", a.original}, {"other_file", a.other}, {"samples", a.options.samples}};
+    j.update(to_json(comparison));
+    std::cout << to_text(j);
+  } else {
+    print(a, comparison);
+  }
+  for (const SurfaceFile* file : {&original, &other})
+    for (const auto& w : file->warnings) std::cerr << "warning: " << file->path.string() << ": " << w << '\n';
+  if (!std::cout.flush()) throw InputError("standard output: writing failed");
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("compare", "How far a decimated surface, and its texture, are from the original.");
+  auto a = std::make_shared<CompareArguments>();
+  command->add_option("ORIGINAL", a->original, "OBJ or PLY file")->required();
+  command->add_option("OTHER", a->other, "OBJ or PLY file, to be drawn with the original's texture image")
+      ->required();
+  command->add_option("--samples", a->options.samples, "points per surface")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 27))
+      ->capture_default_str();
+  command
+      ->add_option("--threads", a->options.threads,
+                   "0: as many as there are cores; the numbers do not depend on it")
+      ->check(CLI::Range(0U, 1024U))
+      ->capture_default_str();
+  command->add_flag("--json", a->json, "print JSON");
+  command->footer(
+      "Example:  multimesh compare cow.obj small.obj\n\n"
+      "distance: of the surfaces, both ways. texture deviation: from a point to the place of the original "
+      "whose\n"
+      "texel it shows. seam crack: between the places shown at the two sides of a seam. colours: what is "
+      "seen "
+      "of\n"
+      "both if a smooth pattern is painted on the original. The exit status says nothing of how far they "
+      "are.");
+  command->callback([a, &exit_code] {
+    run(*a);
+    exit_code = done;
+  });
+}
+
+}  // namespace multimesh::tools

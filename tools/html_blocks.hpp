@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "adapters/io/atomic_file.hpp"
+#include "tools/html_mesh.hpp"
+
+namespace multimesh::tools {
+
+/// Where the meshes of a page are in space: single precision is not enough for coordinates far from the
+/// origin.
+struct HtmlFrame {
+  OpenMesh::Vec3d center{0, 0, 0};
+  double size = 1;
+
+  OpenMesh::Vec3d operator()(const OpenMesh::Vec3d& p) const { return (p - center) / size; }
+};
+
+/// Centred, and of size 1 for the diagonal of the bounding box of both, by the positions that triangles have.
+HtmlFrame common_frame(const TexturedTriangles& before, const TexturedTriangles& after);
+
+/// A <script> of text that is no script, which the page finds by its id. \pre no `<` in the text.
+void write_block(io::AtomicFile& file, const std::string& id, std::string_view text);
+
+/// The arrays of a mesh as blocks `NAME-positions` and so on (tools/viewer/src/page_data.js): numbers of four
+/// bytes, little-endian, in base64.
+void write_blocks(io::AtomicFile& file, const std::string& name, const HtmlMesh& mesh, const HtmlFrame& frame,
+                  const std::vector<float>& error = {});
+
+}  // namespace multimesh::tools

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/html_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "adapters/io/atomic_file.hpp"
+#include "multimesh/error.hpp"
+#include "multimesh/version.hpp"
+#include "tools/html_blocks.hpp"
+#include "tools/html_text.hpp"
+#include "tools/html_textures.hpp"
+#include "tools/viewer/viewer_bundle.hpp"
+
+namespace multimesh::tools {
+
+namespace {
+
+/// Scripts and styles of the page itself, images inside it, and nothing from anywhere.
+constexpr std::string_view head = R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy"
+ content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<link rel="icon" href="data:,">
+)";
+
+void check(const HtmlReport& report) {
+  for (const HtmlMesh* mesh : {&report.before, &report.after}) {
+    const std::size_t triangles = mesh->surface.triangles.size();
+    if (!mesh->material.empty() && mesh->material.size() != triangles)
+      throw UsageError("HTML report: a mesh has " + std::to_string(triangles) + " triangles, but " +
+                       std::to_string(mesh->material.size()) + " materials of triangles");
+    if (std::ranges::any_of(mesh->material, [&](Index m) { return m >= mesh->materials.size(); }))
+      throw UsageError("HTML report: a triangle has a material that is not in the list");
+  }
+  const std::size_t positions = report.after.surface.positions.size();
+  if (!report.error.empty() && report.error.size() != positions)
+    throw UsageError("HTML report: " + std::to_string(report.error.size()) + " errors for " +
+                     std::to_string(positions) + " positions");
+  if (!std::ranges::all_of(report.error, [](float e) { return std::isfinite(e) && e >= 0; }))
+    throw UsageError("HTML report: an error is negative or not a number");
+}
+
+/// Which meshes the page holds; a note says which it does not.
+struct Contents {
+  bool before, after;
+};
+
+Contents contents(const HtmlReport& report, Json& notes) {
+  const std::size_t after = report.after.surface.triangles.size();
+  const std::size_t both = report.before.surface.triangles.size() + after;
+  const std::string limit = "a page holds " + std::to_string(max_html_triangles) + " faces";
+  if (after > max_html_triangles) {
+    notes.push_back("The meshes are left out, for " + limit + ", and this one alone has " +
+                    std::to_string(after) + ".");
+    return {false, false};
+  }
+  if (both > max_html_triangles)
+    notes.push_back("The mesh before is left out, for " + limit + ", and both have " + std::to_string(both) +
+                    ".");
+  return {both <= max_html_triangles, true};
+}
+
+Json describe(const HtmlMesh& mesh, bool included, HtmlTextures& textures) {
+  Json materials = Json::array();
+  for (const Material& m : mesh.materials) {
+    Json texture = nullptr;
+    if (included && !m.texture.empty()) texture = textures.number(m.texture);
+    materials.push_back({{"name", m.name}, {"color", m.color}, {"texture", texture}});
+  }
+  if (materials.empty())
+    materials.push_back({{"name", ""}, {"color", Material().color}, {"texture", nullptr}});
+  return {{"caption", mesh.caption},
+          {"triangles", mesh.surface.triangles.size()},
+          {"included", included},
+          {"materials", std::move(materials)}};
+}
+
+void write_bundle(io::AtomicFile& file, std::span<const std::string_view> pieces) {
+  for (const std::string_view piece : pieces) file.write(piece);
+}
+
+void write_page(io::AtomicFile& file, const HtmlReport& report, const ViewerBundle& bundle) {
+  Json notes = Json::array();
+  const Contents shown = contents(report, notes);
+  HtmlTextures textures(max_html_texture_bytes);
+  Json meshes = {{"before", describe(report.before, shown.before, textures)},
+                 {"after", describe(report.after, shown.after, textures)}};
+  std::vector<std::string> more = textures.notes();
+  for (const HtmlMesh* mesh : {&report.before, &report.after})
+    for (const std::string& note : mesh->notes)
+      if (std::ranges::find(more, note) == more.end()) more.push_back(note);
+  for (std::string& note : more) notes.push_back(std::move(note));
+
+  file.write(head);
+  file.write("<title>" + html_escaped(report.title) + "</title>\n<style>");
+  write_bundle(file, bundle.style);
+  file.write("</style>\n</head>\n<body>\n");
+  write_bundle(file, bundle.page);
+  const Json all = {{"title", report.title},       {"generator", std::string("multimesh ") + version},
+                    {"meshes", std::move(meshes)}, {"textures", textures.names()},
+                    {"notes", std::move(notes)},   {"numbers", report.numbers}};
+  file.write("<script type=\"application/json\" id=\"report\">" + json_for_html(all) + "</script>\n");
+  const HtmlFrame frame = common_frame(report.before.surface, report.after.surface);
+  if (shown.before) write_blocks(file, "before", report.before, frame);
+  if (shown.after) write_blocks(file, "after", report.after, frame, report.error);
+  for (std::size_t i = 0; i < textures.uris().size(); ++i)
+    write_block(file, "texture-" + std::to_string(i), textures.uris()[i]);
+  file.write("<script>");
+  write_bundle(file, bundle.script);
+  file.write("</script>\n</body>\n</html>\n");
+}
+
+}  // namespace
+
+bool can_write_html_report() {
+  return viewer_bundle() != nullptr;
+}
+
+void require_html_report() {
+  if (!can_write_html_report())
+    throw InputError(
+        "HTML reports: this multimesh was built without the viewer. Install Node.js with npm "
+        "(scripts/setup-debian.sh does), and build with -DMULTIMESH_WITH_VIEWER=ON");
+}
+
+void write_html_report(const std::filesystem::path& path, const HtmlReport& report) {
+  require_html_report();
+  check(report);
+  io::AtomicFile file(path);
+  write_page(file, report, *viewer_bundle());
+  file.commit();
+}
+
+}  // namespace multimesh::tools

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/html_mesh.hpp"
+#include "tools/surface_json.hpp"
+
+namespace multimesh::tools {
+
+/// A page holds this many triangles. If both meshes have more, `before` is left out; if `after` alone has
+/// more, both are. The page says so.
+constexpr std::size_t max_html_triangles = 1'000'000;
+
+/// Textures of a page, all files together; those beyond are left out, and the page says so.
+constexpr std::size_t max_html_texture_bytes = std::size_t{64} << 20U;
+
+/// Two meshes side by side, and numbers.
+struct HtmlReport {
+  std::string title;
+  HtmlMesh before, after;
+  /// Per position of `after`, at least 0 and relative to the bounding-box diagonal (0.01 = 1 %); or empty.
+  std::vector<float> error = {};
+  /// Shown as tables. Known fields: `before` and `after`, as to_json makes them of a surface; `comparison`;
+  /// `seconds`, `stopped_by`, `warnings`. All others are shown by their names.
+  Json numbers = Json::object();
+};
+
+/// False in a build without the viewer (MULTIMESH_WITH_VIEWER).
+bool can_write_html_report();
+
+/// \throw InputError saying how to get the viewer, in a build without it. For a program to call before the
+/// work.
+void require_html_report();
+
+/// One file that needs nothing else: three.js, meshes and textures are in it. Complete or not at all.
+/// \throw InputError if it cannot be written, or as require_html_report(). \throw UsageError for an error or
+/// a material list of the wrong length, or an error that is not a number.
+void write_html_report(const std::filesystem::path& path, const HtmlReport& report);
+
+}  // namespace multimesh::tools

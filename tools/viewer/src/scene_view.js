@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One mesh with its light, its lines, and the part of the page that it is drawn into.
+import { DirectionalLight, HemisphereLight, LineBasicMaterial, LineSegments, Mesh, Scene } from 'three';
+import { edgeGeometry, surfaceGeometry } from './geometry.js';
+
+export class SceneView {
+  /** `edges` and `seam` as of edges.js. */
+  constructor({ mesh, pane, edges, seam, errorScale, materials }) {
+    this.mesh = mesh;
+    this.pane = pane;
+    this.edges = edges;
+    this.seam = seam;
+    this.materials = materials;
+    this.scene = new Scene();
+    this.light = new DirectionalLight(0xffffff, 1.9);
+    this.scene.add(new HemisphereLight(0xffffff, 0x8d8f99, 1.7), this.light);
+    const { geometry, runs } = surfaceGeometry(mesh, errorScale);
+    this.runs = runs;
+    this.surface = new Mesh(geometry);
+    this.scene.add(this.surface);
+    this.byMode = new Map();
+    this.lines = new Map();
+  }
+
+  setMode(mode) {
+    if (!this.byMode.has(mode)) this.byMode.set(mode, this.materials.of(this.mesh, this.runs, mode));
+    this.surface.material = this.byMode.get(mode);
+  }
+
+  showWireframe(show) {
+    this.show('wireframe', show, () => true, { color: 0x10131c, transparent: true, opacity: 0.55 });
+  }
+
+  showSeams(show, color) {
+    this.show('seams', show, (e) => this.seam[e] === 1, { color });
+  }
+
+  /** Lines are made when they are first asked for. */
+  show(name, visible, wanted, appearance) {
+    if (visible && !this.lines.has(name)) {
+      const geometry = edgeGeometry(this.mesh, this.edges, wanted);
+      const lines = new LineSegments(geometry, new LineBasicMaterial(appearance));
+      lines.renderOrder = name === 'seams' ? 2 : 1;
+      this.lines.set(name, lines);
+      this.scene.add(lines);
+    }
+    if (this.lines.has(name)) this.lines.get(name).visible = visible;
+  }
+
+  /** Into the part of the canvas that lies over the pane. */
+  draw(renderer, camera, canvasBox) {
+    const box = this.pane.getBoundingClientRect();
+    if (box.width < 1 || box.height < 1) return;
+    const left = box.left - canvasBox.left;
+    const bottom = canvasBox.bottom - box.bottom;
+    renderer.setViewport(left, bottom, box.width, box.height);
+    renderer.setScissor(left, bottom, box.width, box.height);
+    this.light.position.copy(camera.position).add(camera.up);
+    renderer.render(this.scene, camera);
+  }
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The 3D views with their controls.
+import { byId } from './element.js';
+import { fillLegend } from './legend.js';
+import { SceneView } from './scene_view.js';
+import { Stage } from './stage.js';
+import { SurfaceMaterials, modes } from './surface_materials.js';
+import { onThemeChange, themeColor } from './theme.js';
+
+/** Of all vertices, around the origin. */
+function radius(meshes) {
+  let square = 0;
+  for (const { mesh } of meshes)
+    for (let i = 0; i < mesh.positions.length; i += 3)
+      square = Math.max(square, mesh.positions[i] ** 2 + mesh.positions[i + 1] ** 2 + mesh.positions[i + 2] ** 2);
+  return Math.sqrt(square) || 1;
+}
+
+export class SurfaceCard {
+  /** `scale`: of the errors, see legend.js; null: there are none. \throw Error where there is no WebGL */
+  constructor(meshes, images, scale) {
+    this.form = byId('toolbar');
+    this.stage = new Stage(byId('stage'), byId('canvas'), radius(meshes));
+    this.materials = new SurfaceMaterials(images, this.stage.anisotropy);
+    for (const each of meshes)
+      this.stage.add(new SceneView({
+        ...each,
+        pane: byId(`pane-${each.name}`),
+        errorScale: scale?.scale ?? 1,
+        materials: this.materials,
+      }));
+    if (scale) fillLegend(byId('legend'), scale);
+    this.radio('error').disabled = !scale;
+    this.radio('checker').disabled = !meshes.some((each) => each.hasTexcoords);
+  }
+
+  start() {
+    this.form.reset(); // browsers keep the state of forms when a page is loaded again
+    this.form.addEventListener('change', () => this.apply());
+    this.form.addEventListener('submit', (event) => event.preventDefault());
+    byId('reset-view').addEventListener('click', () => this.stage.reset());
+    onThemeChange(() => this.recolor());
+    this.apply();
+    this.stage.resize();
+    this.stage.reset();
+    this.stage.draw();
+  }
+
+  radio(mode) {
+    return this.form.querySelector(`input[value=${mode}]`);
+  }
+
+  apply() {
+    const mode = modes.find((m) => this.radio(m).checked);
+    if (this.materials.flat !== byId('flat').checked) this.materials.setFlat(byId('flat').checked);
+    byId('legend').hidden = mode !== 'error';
+    for (const view of this.stage.views) {
+      view.setMode(mode);
+      view.showWireframe(byId('wireframe').checked);
+      view.showSeams(byId('seams').checked, themeColor('--seam'));
+    }
+    this.stage.redraw();
+  }
+
+  recolor() {
+    for (const view of this.stage.views) view.lines.get('seams')?.material.color.set(themeColor('--seam'));
+    this.stage.redraw();
+  }
+}
