@@ -204,6 +204,13 @@ Dart lift(const Mesh& above, const Mesh& below, Index f, Dart d) {
 
 }  // namespace
 
+Dart MultiMesh::facet_copy(NodeId child, Dart d) const {
+  const Node& c = nodes_[index(child)];
+  const Mesh& above = *nodes_[index(c.parent)].mesh;
+  const Index f = above.link(c.links, d);
+  return f == no_index ? no_dart : lift(above, *c.mesh, f, d);
+}
+
 void MultiMesh::to_child(NodeId child, Dart d, int k, DartBuffer& out) const {
   const Node& c = nodes_[index(child)];
   const Mesh& below = *c.mesh;

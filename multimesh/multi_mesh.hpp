@@ -64,6 +64,10 @@ class MultiMesh {
   /// The facet of `child` over the parent simplex of the child's dimension at d, or no_index.
   Index facet_over(NodeId child, Dart d) const { return link_of(child, d); }
 
+  /// The preimage of a dart in a child of the same dimension: the dart of the facet over it with the vertices
+  /// in the same order, or no_dart.
+  Dart facet_copy(NodeId child, Dart d) const;
+
   /// The image of a dart: (v0..vk) -> the dart of the parent that begins with the images, in order.
   Dart to_parent(NodeId child, Dart d) const;
   Dart to_root(NodeId n, Dart d) const;

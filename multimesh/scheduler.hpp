@@ -9,11 +9,26 @@
 
 namespace multimesh {
 
+/// What came of an edge that was due.
+struct Attempt {
+  Outcome outcome;
+  bool postponed = false;  ///< nothing was done: the edge costs more than the queue knew
+  double cost = 0;         ///< what it costs then
+
+  Attempt(Outcome o) : outcome(std::move(o)) {}  // NOLINT: a policy that never postpones returns outcomes
+  static Attempt postpone(double cost) {
+    Attempt a{Outcome{}};
+    a.postponed = true;
+    a.cost = cost;
+    return a;
+  }
+};
+
 /// An algorithm that applies one operation to the edges of the root, cheapest first.
 ///
 /// A policy has
 ///   std::optional<double> cost(Dart edge);     // nothing: leave this edge alone
-///   Outcome apply(Dart edge, double cost);
+///   Attempt apply(Dart edge, double cost);     // or Outcome
 ///   bool finished(double next_cost);           // the stop criterion, asked before each operation
 class PriorityScheduler {
  public:
@@ -26,7 +41,8 @@ class PriorityScheduler {
 
   /// Runs until the policy is finished or a whole pass over the refused edges has changed nothing. After
   /// each operation, the edges around its vertex get a new cost; refused edges are asked again when that
-  /// happens to them, and in the next pass. Cost: O(log n) per operation and update.
+  /// happens to them, and in the next pass. Edges farther away whose cost depends on what was changed are
+  /// the policy's to notice when they are due: it postpones them. Cost: O(log n) per operation and update.
   template <class Policy>
   Stop run(Policy& policy) {
     const auto start = std::chrono::steady_clock::now();
@@ -65,13 +81,17 @@ class PriorityScheduler {
     while (queue_.pop(next)) {
       if (!root.is_live(1, next.edge)) continue;
       if (policy.finished(next.cost)) return Stop::finished;
-      const Outcome outcome = policy.apply(root.dart_of(1, next.edge), next.cost);
-      if (!outcome) {
+      const Attempt attempt = policy.apply(root.dart_of(1, next.edge), next.cost);
+      if (attempt.postponed) {
+        queue_.push(next.edge, attempt.cost);
+        continue;
+      }
+      if (!attempt.outcome) {
         refused_.push_back(next.edge);
         continue;
       }
       ++operations_;
-      update_around(outcome.root, policy);
+      update_around(attempt.outcome.root, policy);
     }
     return Stop::exhausted;
   }

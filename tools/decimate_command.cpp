@@ -43,7 +43,7 @@ const char* to_string(DecimateResult::Stop stop) {
   switch (stop) {
     case DecimateResult::Stop::faces:
       return "target number of faces";
-    case DecimateResult::Stop::max_error:
+    case DecimateResult::Stop::bound:
       return "maximal error";
     case DecimateResult::Stop::exhausted:
       return "no edge left that may be collapsed";

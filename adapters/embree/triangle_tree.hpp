@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "adapters/embree/closest_point.hpp"
+#include "multimesh/closest_point.hpp"
 #include "multimesh/dart.hpp"
 
 namespace multimesh::spatial {

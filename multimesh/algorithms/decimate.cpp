@@ -7,7 +7,10 @@
 #include <memory>
 
 #include "multimesh/algorithms/bounding_box.hpp"
-#include "multimesh/algorithms/quadric.hpp"
+#include "multimesh/algorithms/decimation/collapse_cost.hpp"
+#include "multimesh/algorithms/decimation/distance_bounds.hpp"
+#include "multimesh/algorithms/decimation/shape_tests.hpp"
+#include "multimesh/algorithms/decimation/texture_orientation.hpp"
 #include "multimesh/algorithms/surface_invariants.hpp"
 #include "multimesh/scheduler.hpp"
 
@@ -16,16 +19,24 @@ namespace multimesh {
 using OpenMesh::Vec2d;
 using OpenMesh::Vec3d;
 
+namespace decimation {
 namespace {
 
-/// How much a vertex is bound: a vertex moves to the one that is bound more.
-enum Rank : std::uint8_t { free_vertex, on_curve, fixed_point };
+/// Costs that differ by less than this factor count as equal: an edge is not postponed for it.
+constexpr double same_cost = 1 + 1e-6;
 
-/// The collapse of one edge as the queue sees it.
-struct Plan {
-  double t = 0.5;     ///< the merged vertex is (1-t) a + t b
-  double length = 0;  ///< cost, absolute
-};
+using Counts = std::map<std::string, std::size_t>;
+
+std::vector<RefusalCount> by_frequency(const Counts& counts) {
+  std::vector<RefusalCount> list;
+  for (const auto& [reason, n] : counts) list.push_back({reason, n});
+  std::stable_sort(list.begin(), list.end(), [](const auto& x, const auto& y) { return x.count > y.count; });
+  return list;
+}
+
+std::string name_of(const Refusal& r) {
+  return std::string(r.check == Check::invariant ? r.invariant : to_string(r.check));
+}
 
 class Decimator {
  public:
@@ -33,39 +44,48 @@ class Decimator {
   DecimateResult run();
 
   // The scheduler's policy.
-  std::optional<double> cost(Dart e) { return plan(e).length; }
-  Outcome apply(Dart e, double cost);
+  std::optional<double> cost(Dart e) const {
+    const auto plan = cost_.plan(e);
+    return plan ? std::optional(plan->cost) : std::nullopt;
+  }
+  Attempt apply(Dart e, double cost);
   bool finished(double next_cost);
 
  private:
-  void rank_vertices();
-  void add_face_quadrics();
-  void add_curve_quadrics();
-  bool is_curve(Dart e) const;
-  Plan plan(Dart e) const;
-  Plan plan_at(Index a, Index b, double t) const;
-  std::vector<RefusalCount> blocking(const std::vector<Index>& edges);
-  void count(const Outcome& outcome, std::map<std::string, std::size_t>& counts) const;
+  void add_attributes();
+  void add_invariants();
+  void add_tests();
+  Vec2d merged_texcoord(std::size_t set, const VertexChange& c) const;
+  const PlacementTest* failed_test(const CollapsePlan& plan);
+  const PlacementTest* choose_place(Dart e);
+  Outcome collapse(Dart e);
+  void collapsed(const Outcome& outcome);
+  Attempt refuse(const std::string& reason);
+  std::string what_keeps(Dart e);
+  void explain();
 
   TexturedSurface& surface_;
   const DecimateOptions& options_;
   const Mesh& root_;
   double diagonal_;
   std::size_t faces_;
+  std::size_t next_level_ = 0;
   DecimateResult result_;
+  Counts refused_;
 
-  std::vector<Quadric> quadrics_;
-  std::vector<std::uint8_t> ranks_;
+  Strata strata_;
+  TriangleReader reader_;
+  CollapseCost cost_;
+  PredictedStar star_;
+  CollapsePlan plan_;  ///< for the edge at hand
+  bool place_is_held_ = false;
+
   VertexAttribute<Vec3d> positions_;
-  std::optional<VertexAttribute<Vec2d>> texcoords_;
-  VertexAttribute<Quadric> quadric_attribute_;
-  VertexAttribute<std::uint8_t> rank_attribute_;
-  CopiesStayApart copies_stay_apart_;
-  NormalTurn normal_turn_;
-  std::optional<TextureOrientation> texture_orientation_;
-  std::optional<SeamsStayOpen> seams_stay_open_;
+  std::vector<std::unique_ptr<VertexAttribute<Vec2d>>> texcoords_;
+  std::vector<std::unique_ptr<PlacementTest>> tests_;
+  std::size_t n_bounds_ = 0;  ///< the first of the tests: those that bound the result
+  std::vector<std::unique_ptr<Invariant>> invariants_;
   Propagation operations_;
-  std::map<std::string, std::size_t> refused_;
 };
 
 Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
@@ -74,181 +94,169 @@ Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
       root_(surface.tree().mesh(NodeId::root)),
       diagonal_(bounding_box_diagonal(surface.positions())),
       faces_(surface.live_triangles()),
-      quadrics_(root_.capacity(0)),
-      ranks_(root_.capacity(0), free_vertex),
-      positions_(NodeId::root, surface.positions()),
-      quadric_attribute_(
-          NodeId::root, quadrics_,
-          [this](Operation, const VertexChange& c) { return quadrics_[c.a] + quadrics_[c.b]; }),
-      rank_attribute_(
-          NodeId::root, ranks_,
-          [this](Operation, const VertexChange& c) { return std::max(ranks_[c.a], ranks_[c.b]); }),
-      copies_stay_apart_(surface.source_positions()),
-      normal_turn_(surface.positions(), options.max_normal_turn),
+      strata_(surface, options),
+      reader_(surface, strata_),
+      cost_(surface, options, strata_, reader_),
+      star_(surface.tree(), reader_),
+      positions_(NodeId::root, surface.positions(),
+                 [this](Operation, const VertexChange&) { return plan_.position; }),
       operations_(surface.tree()) {
-  operations_.add(positions_).add(rank_attribute_);
-  if (surface.cut_report().copied_vertices > 0) operations_.add(copies_stay_apart_);
-  if (const auto texture = surface.texture()) {
-    texcoords_.emplace(*texture, surface.texcoords());
-    texture_orientation_.emplace(surface.tree(), *texture, surface.texcoords());
-    seams_stay_open_.emplace(*texture, surface.texcoords());
-    operations_.add(*texcoords_).add(*texture_orientation_).add(*seams_stay_open_);
-  }
-  operations_.add(normal_turn_).set(LegalityOptions{.contact = true});  // seams may not touch the boundary
-  rank_vertices();
-  if (options.cost == DecimateCost::quadric) {
-    operations_.add(quadric_attribute_);
-    add_face_quadrics();
-    add_curve_quadrics();
+  add_attributes();
+  add_tests();
+  add_invariants();
+  operations_.set(LegalityOptions{.contact = true});  // seams may not touch the boundary
+}
+
+void Decimator::add_attributes() {
+  operations_.add(positions_);
+  for (std::size_t k = 0; k < reader_.n_sets(); ++k) {
+    texcoords_.push_back(std::make_unique<VertexAttribute<Vec2d>>(
+        surface_.textures()[k], surface_.texcoords(k),
+        [this, k](Operation, const VertexChange& c) { return merged_texcoord(k, c); }));
+    operations_.add(*texcoords_.back());
   }
 }
 
-bool Decimator::is_curve(Dart e) const {
-  if (root_.is_boundary(e, 1)) return true;
-  const auto seams = surface_.seams();
-  return seams && surface_.tree().facet_over(*seams, e) != no_index;
+Vec2d Decimator::merged_texcoord(std::size_t set, const VertexChange& c) const {
+  for (const CollapsePlan::Copy& copy : plan_.copies())
+    if (copy.set == set && std::minmax(copy.a, copy.b) == std::minmax(c.a, c.b)) return copy.texcoord;
+  return texcoords_[set]->interpolated(c);
 }
 
-// Curves: boundaries and seams. Fixed points: labelled vertices, and where curves end or meet.
-void Decimator::rank_vertices() {
-  for (Index e = 0; e < root_.capacity(1); ++e) {
-    if (!root_.is_live(1, e)) continue;
-    const Dart d = root_.dart_of(1, e);
-    if (!is_curve(d)) continue;
-    for (const Dart end : {d, root_.switch_dart(d, 0)})
-      ranks_[root_.vertex(end)] = std::max<std::uint8_t>(ranks_[root_.vertex(end)], on_curve);
-  }
-  for (Index v = 0; v < root_.capacity(0); ++v)
-    if (root_.is_locked(v)) ranks_[v] = fixed_point;
-  const auto seams = surface_.seams();
-  if (!seams) return;
-  const Mesh& curves = surface_.tree().mesh(*seams);
-  for (Index v = 0; v < curves.capacity(0); ++v) {
-    if (!curves.is_live(0, v)) continue;
-    const Dart d = curves.dart_of(0, v);
-    if (curves.is_boundary(d, 0)) ranks_[root_.vertex(surface_.tree().to_parent(*seams, d))] = fixed_point;
-  }
+void Decimator::add_tests() {
+  const auto is_set = [](double limit) { return std::isfinite(limit); };
+  if (is_set(options_.max_error))
+    tests_.push_back(std::make_unique<VertexDistance>(surface_, options_.max_error * diagonal_));
+  for (std::size_t k = 0; k < reader_.n_sets(); ++k)
+    if (is_set(options_.max_texture_error))
+      tests_.push_back(
+          std::make_unique<TextureDistance>(surface_, reader_, k, options_.max_texture_error * diagonal_));
+  if (is_set(options_.max_normal_deviation))
+    tests_.push_back(std::make_unique<NormalDeviation>(surface_, options_.max_normal_deviation));
+  if (is_set(options_.max_aspect_ratio))
+    tests_.push_back(std::make_unique<AspectRatio>(options_.max_aspect_ratio));
+  n_bounds_ = tests_.size();
+  for (std::size_t k = 0; k < reader_.n_sets(); ++k)
+    tests_.push_back(std::make_unique<TextureOrientation>(surface_, reader_, k));
+  tests_.push_back(std::make_unique<NormalTurn>(options_.max_normal_turn));
 }
 
-void Decimator::add_face_quadrics() {
-  for (Index f = 0; f < root_.capacity(2); ++f) {
-    if (!root_.is_live(2, f)) continue;
-    std::array<Index, 4> v{};
-    root_.vertices(root_.dart_of(2, f), v.data());
-    const Vec3d& p = surface_.positions()[v[0]];
-    Vec3d n = cross(surface_.positions()[v[1]] - p, surface_.positions()[v[2]] - p);
-    const double doubled_area = n.norm();
-    if (!(doubled_area > 0)) continue;
-    n /= doubled_area;
-    const Quadric q = Quadric::plane(n, -dot(n, p), doubled_area / 6);
-    for (std::size_t i = 0; i < 3; ++i) quadrics_[v[i]] += q;
-  }
+void Decimator::add_invariants() {
+  if (surface_.cut_report().copied_vertices > 0)
+    invariants_.push_back(std::make_unique<CopiesStayApart>(surface_.source_positions()));
+  for (const auto& texcoords : texcoords_) invariants_.push_back(std::make_unique<SeamsStayOpen>(*texcoords));
+  invariants_.push_back(std::make_unique<FunctionInvariant>(
+      "place of a held end", [this](const Event&) { return place_is_held_; }));
+  for (const auto& i : invariants_) operations_.add(*i);
 }
 
-// Planes through the curves, orthogonal to the faces beside them, hold the curves' shape.
-void Decimator::add_curve_quadrics() {
-  DartBuffer beside;
-  for (Index e = 0; e < root_.capacity(1); ++e) {
-    if (!root_.is_live(1, e) || !is_curve(root_.dart_of(1, e))) continue;
-    root_.star(root_.dart_of(1, e), 1, beside);
-    for (const Dart d : beside) {
-      std::array<Index, 4> v{};
-      root_.vertices(d, v.data());
-      const Vec3d& p = surface_.positions()[v[0]];
-      const Vec3d along = surface_.positions()[v[1]] - p;
-      const Vec3d face_normal = cross(along, surface_.positions()[v[2]] - p);
-      Vec3d n = cross(along, face_normal);
-      const double length = n.norm();
-      if (!(length > 0)) continue;
-      n /= length;
-      Quadric q = Quadric::plane(n, -dot(n, p), options_.curve_weight * along.sqrnorm());
-      q.weight = 0;  // it shapes the result, but is not part of the surface whose distance is reported
-      quadrics_[v[0]] += q, quadrics_[v[1]] += q;
+/// The first test that the plan fails, or null. Afterwards the star is as this plan predicts.
+const PlacementTest* Decimator::failed_test(const CollapsePlan& plan) {
+  star_.place(plan);
+  for (const auto& test : tests_)
+    if (!test->allows(star_, plan)) return test.get();
+  return nullptr;
+}
+
+// Where the best place fails a test, points on the edge may pass it.
+const PlacementTest* Decimator::choose_place(Dart e) {
+  const PlacementTest* failed = failed_test(plan_);
+  if (!failed || strata_.rank(plan_.a) != strata_.rank(plan_.b)) return failed;
+  std::array<CollapsePlan, 3> others{cost_.plan_at(e, 0.5), cost_.plan_at(e, 0), cost_.plan_at(e, 1)};
+  std::stable_sort(others.begin(), others.end(), [](const auto& x, const auto& y) { return x.cost < y.cost; });
+  for (const CollapsePlan& other : others)
+    if (!failed_test(other)) {
+      plan_ = other;
+      return nullptr;
     }
-  }
+  return failed;
 }
 
-Plan Decimator::plan_at(Index a, Index b, double t) const {
-  const Vec3d& pa = surface_.positions()[a];
-  const Vec3d& pb = surface_.positions()[b];
-  if (options_.cost == DecimateCost::length) return {t, (pb - pa).norm()};
-  const Quadric q = quadrics_[a] + quadrics_[b];
-  const double error = q(pa * (1 - t) + pb * t);
-  return {t, q.weight > 0 ? std::sqrt(error / q.weight) : 0};
+Attempt Decimator::refuse(const std::string& reason) {
+  ++result_.tried;
+  ++refused_[reason];
+  return Outcome{{Check::invariant, NodeId::root, {}}, no_dart, no_dart};
 }
 
-Plan Decimator::plan(Dart e) const {
-  const Index a = root_.vertex(e), b = root_.vertex(root_.reorder(e, exchange_ends));
-  if (ranks_[a] != ranks_[b]) return plan_at(a, b, ranks_[a] > ranks_[b] ? 0 : 1);
-  if (options_.cost == DecimateCost::length) return plan_at(a, b, 0.5);
-  // Along the edge the quadric is a parabola: f(t) = f0 + (slope) t + (curvature) t^2.
-  const Vec3d& pa = surface_.positions()[a];
-  const Vec3d d = surface_.positions()[b] - pa;
-  const Quadric q = quadrics_[a] + quadrics_[b];
-  const double curvature = dot(d, q.times(d));
-  const double slope = 2 * (dot(d, q.times(pa)) + q.x * d[0] + q.y * d[1] + q.z * d[2]);
-  double t = 0.5;
-  if (curvature > 1e-12 * q.weight * d.sqrnorm()) t = std::clamp(-slope / (2 * curvature), 0.0, 1.0);
-  return plan_at(a, b, t);
-}
-
-Outcome Decimator::apply(Dart e, double cost) {
-  const std::size_t removed = root_.is_boundary(e, 1) ? 1 : 2;
-  const double t = plan(e).t;
-  const Outcome outcome = operations_.collapse(NodeId::root, e, Placement{t, false, true});
-  count(outcome, refused_);
-  if (!outcome) return outcome;
-  faces_ -= removed;
-  result_.max_cost = std::max(result_.max_cost, cost);
-  if (options_.progress && operations_.statistics().done % 1024 == 0) options_.progress(faces_);
+Attempt Decimator::apply(Dart e, double cost) {
+  const auto plan = cost_.plan(e);
+  if (!plan) return refuse(name_of({Check::gluing, NodeId::root, {}}));
+  if (plan->cost > cost * same_cost) return Attempt::postpone(plan->cost);
+  plan_ = *plan;
+  star_.read(e);
+  if (const PlacementTest* failed = choose_place(e)) return refuse(failed->name());
+  if (plan_.cost > cost * same_cost) return Attempt::postpone(plan_.cost);
+  const Outcome outcome = collapse(e);
+  if (!outcome) return refuse(name_of(outcome.refusal));
+  collapsed(outcome);
   return outcome;
 }
 
-bool Decimator::finished(double next_cost) {
-  if (options_.faces > 0 && faces_ <= options_.faces) {
-    result_.stop = DecimateResult::Stop::faces;
-    return true;
+/// By the plan, unless legality holds an end that the ranks did not tell.
+Outcome Decimator::collapse(Dart e) {
+  return operations_.collapse(NodeId::root, e, [&](const Event&, std::optional<double> held) {
+    place_is_held_ = true;
+    if (held && *held != plan_.t) {
+      plan_ = cost_.plan_at(e, *held);
+      place_is_held_ = !failed_test(plan_);
+    }
+    return plan_.t;
+  });
+}
+
+void Decimator::collapsed(const Outcome& outcome) {
+  const End kept = root_.vertex(outcome.root) == plan_.a ? End::a : End::b;
+  double area = 0;
+  for (const PredictedStar::Face& f : star_.faces()) {
+    faces_ -= f.dies;
+    const auto& p = f.before.positions;
+    if (f.changes) area += cross(p[1] - p[0], p[2] - p[0]).norm() / 2;
   }
-  if (next_cost > options_.max_error * diagonal_) {
-    result_.stop = DecimateResult::Stop::max_error;
-    return true;
-  }
-  return false;
+  cost_.collapsed(star_, plan_, kept);
+  for (const auto& test : tests_) test->collapsed(star_, plan_);
+  ++result_.tried;
+  ++result_.collapsed;
+  if (area > 0 && options_.cost == DecimateCost::quadric)
+    result_.max_cost = std::max(result_.max_cost, std::sqrt(plan_.cost / area));
+  if (options_.cost == DecimateCost::length)
+    result_.max_cost = std::max(result_.max_cost, std::sqrt(plan_.cost));
+  if (options_.progress && result_.collapsed % 1024 == 0) options_.progress(faces_);
 }
 
-void Decimator::count(const Outcome& outcome, std::map<std::string, std::size_t>& counts) const {
-  if (outcome) return;
-  const Refusal& r = outcome.refusal;
-  ++counts[std::string(r.check == Check::invariant ? r.invariant : to_string(r.check))];
+bool Decimator::finished(double) {
+  for (; next_level_ < options_.levels.size() && faces_ <= options_.levels[next_level_]; ++next_level_)
+    if (options_.on_level) options_.on_level(next_level_);
+  return options_.faces > 0 && faces_ <= options_.faces;
 }
 
-namespace {
-
-std::vector<RefusalCount> by_frequency(const std::map<std::string, std::size_t>& counts) {
-  std::vector<RefusalCount> list;
-  for (const auto& [reason, n] : counts) list.push_back({reason, n});
-  std::stable_sort(list.begin(), list.end(), [](const auto& x, const auto& y) { return x.count > y.count; });
-  return list;
+std::string Decimator::what_keeps(Dart e) {
+  const Refusal illegal = operations_.judge(NodeId::root, e).refusal;
+  if (illegal.refused()) return name_of(illegal);
+  const auto plan = cost_.plan(e);
+  plan_ = plan ? *plan : cost_.plan_at(e, 0);
+  star_.read(e);
+  if (const PlacementTest* failed = choose_place(e)) return failed->name();
+  Transaction trial = operations_.transaction();  // never committed
+  return name_of(collapse(e).refusal);
 }
 
-}  // namespace
+void Decimator::explain() {
+  Counts counts;
+  for (Index e = 0; e < root_.capacity(1); ++e)
+    if (root_.is_live(1, e)) ++counts[what_keeps(root_.dart_of(1, e))];
+  result_.blocking = by_frequency(counts);
+  for (std::size_t i = 0; i < n_bounds_; ++i)
+    if (counts.contains(tests_[i]->name())) result_.stop = DecimateResult::Stop::bound;
+}
 
 DecimateResult Decimator::run() {
   result_.faces_before = faces_;
   PriorityScheduler scheduler(operations_);
-  const PriorityScheduler::Stop stop = scheduler.run(*this);
-  result_.tried = operations_.statistics().tried;
-  result_.collapsed = operations_.statistics().done;
-  if (stop == PriorityScheduler::Stop::exhausted) {
-    result_.stop = options_.faces > 0 && faces_ <= options_.faces ? DecimateResult::Stop::faces
-                                                                  : DecimateResult::Stop::exhausted;
-    // The last pass asked every edge that is left and changed nothing.
-    std::map<std::string, std::size_t> counts;
-    for (const Index edge : scheduler.refused_edges()) {
-      const Dart e = root_.dart_of(1, edge);
-      count(operations_.collapse(NodeId::root, e, Placement{plan(e).t, false, true}), counts);
-    }
-    if (result_.stop == DecimateResult::Stop::exhausted) result_.blocking = by_frequency(counts);
+  scheduler.run(*this);
+  if (finished(0)) {
+    result_.stop = DecimateResult::Stop::faces;
+  } else {
+    explain();
   }
   result_.faces_after = faces_;
   result_.seconds = scheduler.seconds();
@@ -257,12 +265,29 @@ DecimateResult Decimator::run() {
   return std::move(result_);
 }
 
+void check_options(const DecimateOptions& o) {
+  if (o.faces == 0 && !std::isfinite(o.max_error) && !std::isfinite(o.max_texture_error))
+    throw InputError("decimate: no target; give a number of faces, a maximal error or a maximal texture error");
+  const auto require = [](bool good, const char* what) {
+    if (!good) throw InputError(std::string("decimate: ") + what);
+  };
+  require(o.max_error >= 0, "max_error must not be negative");
+  require(o.max_texture_error >= 0, "max_texture_error must not be negative");
+  require(o.max_normal_deviation >= 0, "max_normal_deviation must not be negative");
+  require(o.max_aspect_ratio >= 2 / std::sqrt(3.0), "max_aspect_ratio must be at least 1.155");
+  for (const double w : {o.uv_weight, o.curve_weight, o.seam_weight, o.uv_curve_weight})
+    require(w >= 0 && std::isfinite(w), "weights must be finite and not negative");
+  for (std::size_t i = 0; i < o.levels.size(); ++i)
+    require(o.levels[i] > (i + 1 < o.levels.size() ? o.levels[i + 1] : o.faces),
+            "levels must descend, and end above the target number of faces");
+}
+
 }  // namespace
+}  // namespace decimation
 
 DecimateResult decimate(TexturedSurface& surface, const DecimateOptions& options) {
-  if (options.faces == 0 && !std::isfinite(options.max_error))
-    throw InputError("decimate: no target; give a number of faces or a maximal error");
-  return Decimator(surface, options).run();
+  decimation::check_options(options);
+  return decimation::Decimator(surface, options).run();
 }
 
 }  // namespace multimesh

@@ -11,50 +11,82 @@
 namespace multimesh {
 
 enum class DecimateCost {
-  quadric,  ///< distance to the planes of the faces merged so far (Garland & Heckbert 1997), at the best
-            ///< point of the edge
-  length,   ///< shortest edge first, to its midpoint (the paper's section 5.1)
+  quadric,  ///< deviation of position and texture coordinates together, at the best point
+  length,   ///< shortest edge first, to its midpoint (Codimensional MultiMeshing, section 5.1)
 };
 
-/// Give at least one target; whichever is met first ends the run.
+/// Give at least one target: faces, max_error or max_texture_error. All limits hold at once.
 struct DecimateOptions {
-  DecimateCost cost = DecimateCost::quadric;
+  // --- when to stop
   /// Stop at this many triangles or fewer. 0: no such target.
   std::size_t faces = 0;
-  /// Stop before a collapse whose cost exceeds this length, relative to the diagonal of the bounding box.
-  /// Quadric: root mean square distance to the planes merged so far, those through boundaries and seams
-  /// counted `curve_weight` times; length: edge length. An estimate, no bound on the surfaces' distance.
+  /// Intermediate levels of detail: numbers of triangles, descending, each above `faces`. on_level is called
+  /// with the position in the list when that many or fewer are left; the run then goes on from there.
+  std::vector<std::size_t> levels = {};
+  std::function<void(std::size_t level)> on_level = {};
+
+  // --- bounds; lengths are relative to the diagonal of the bounding box
+  /// No vertex of the surface as it was given is farther than this from the surface that is left. Guaranteed
+  /// for vertices; points inside triangles are not looked at.
   double max_error = std::numeric_limits<double>::infinity();
-  /// Weight of planes through boundary edges and seams, orthogonal to the surface, relative to the surface's.
-  double curve_weight = 10;
-  /// No face may turn its normal by more than this, per collapse, in radians.
+  /// Each vertex of the texture is painted at most this far from its place. Guaranteed, as max_error is.
+  double max_texture_error = std::numeric_limits<double>::infinity();
+  /// No normal deviates by more than this from those of the input's triangles merged into it; radians.
+  double max_normal_deviation = std::numeric_limits<double>::infinity();
+  /// No triangle gets an aspect ratio (longest edge over shortest height) above this, unless one was as bad
+  /// there before. At least 2 / sqrt(3), that of the equilateral triangle.
+  double max_aspect_ratio = std::numeric_limits<double>::infinity();
+  /// No face may turn its normal by more than this per collapse, in radians, below pi.
   double max_normal_turn = 1.3;
+
+  // --- what stays where it is
+  bool lock_boundary = false;  ///< boundary vertices keep their place and their edges
+  bool lock_seams = false;     ///< the same for vertices on seams, positions and texture coordinates
+
+  // --- what it costs
+  DecimateCost cost = DecimateCost::quadric;
+  /// Weight of the texture: how much the square of a deviation of its content along the surface counts beside
+  /// that of the distance from the surface. 0: shape only; 1: texture deviation as such.
+  double uv_weight = 0.05;
+  /// Weight of planes through edges of boundaries, borders and sharp curves, orthogonal to the surface.
+  double curve_weight = 1;
+  /// The same for seams that are nothing else: where they run on the surface matters little.
+  double seam_weight = 0.1;
+  /// Weight of the edges of charts in the texture, beside uv_weight.
+  double uv_curve_weight = 3;
+
   /// Called about every thousand collapses with the number of triangles left; may throw to abandon the run.
   std::function<void(std::size_t faces)> progress = {};
 };
 
-/// How often something stood in the way, by name: a Check, or the name of an invariant.
+/// How often something stood in the way, by name: a Check, or the name of a test or an invariant.
 struct RefusalCount {
   std::string reason;
   std::size_t count;
 };
 
 struct DecimateResult {
-  enum class Stop { faces, max_error, exhausted };
+  enum class Stop {
+    faces,      ///< as many as wanted
+    bound,      ///< edges are left, but the bounds of the options forbid every one that topology allows
+    exhausted,  ///< no edge is left that may be collapsed
+  };
   Stop stop = Stop::exhausted;
   std::size_t faces_before = 0, faces_after = 0;
   std::size_t tried = 0, collapsed = 0;
   std::vector<RefusalCount> refused;  ///< over the whole run, most frequent first
-  /// If the run was exhausted: the edges that are left, by what keeps each from being collapsed.
+  /// If the target was not reached: the edges that are left, by what keeps each from being collapsed.
   std::vector<RefusalCount> blocking;
-  double seconds = 0;   ///< of the collapse loop, by the wall clock
-  double max_cost = 0;  ///< of the collapses done, a length relative to the bounding-box diagonal
+  double seconds = 0;  ///< of the collapse loop, by the wall clock
+  /// Of the collapses done: root mean square deviation over the triangles that one changed, relative to the
+  /// bounding-box diagonal. An estimate per collapse, no bound.
+  double max_cost = 0;
 };
 
-/// Collapses edges of a textured surface, cheapest first. Position and texture coordinates of a merged
-/// vertex denote the same point of the collapsed edge, in every chart. Kept: the topology of the surface and
-/// of each chart, the graph of the seams, and every triangle's orientation in the texture and (nearly) in
-/// space. Deterministic. Cost: O(n log n). \throw InputError if no target is given
+/// Collapses edges of a textured surface, cheapest first. Kept: the topology of the surface and of each chart,
+/// the graph of the seams, borders and sharp curves, and every triangle's orientation in the texture and
+/// (nearly) in space. Deterministic. Cost: O(n log n).
+/// \throw InputError if no target is given or an option is out of range
 DecimateResult decimate(TexturedSurface& surface, const DecimateOptions& options);
 
 }  // namespace multimesh

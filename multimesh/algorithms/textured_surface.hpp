@@ -57,6 +57,10 @@ class TexturedSurface {
   MultiMesh& tree();
   const MultiMesh& tree() const;
   std::optional<NodeId> texture() const;  ///< if any triangle has texture coordinates
+  std::vector<NodeId> textures() const { return texture() ? std::vector<NodeId>{*texture()} : std::vector<NodeId>{}; }
+  const std::vector<OpenMesh::Vec2d>& texcoords(std::size_t) const { return texcoords(); }
+  std::vector<OpenMesh::Vec2d>& texcoords(std::size_t) { return texcoords(); }
+  bool is_seam_only(Dart e) const { DartBuffer b; if (texture()) tree().to_child(*texture(), e, 1, b); return b.size() == 2; }
   std::optional<NodeId> seams() const;    ///< if there are such curves
   std::vector<OpenMesh::Vec3d>& positions();
   const std::vector<OpenMesh::Vec3d>& positions() const;

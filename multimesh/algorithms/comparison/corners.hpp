@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "adapters/embree/closest_point.hpp"
+#include "multimesh/closest_point.hpp"
 #include "multimesh/algorithms/textured_surface.hpp"
 
 namespace multimesh::comparison {

@@ -10,8 +10,8 @@ TriangleReader::TriangleReader(const TexturedSurface& surface, const Strata& str
     : surface_(surface),
       strata_(strata),
       tree_(surface.tree()),
-      root_(tree_.mesh(NodeId::root)),
-      textures_(surface.textures().begin(), surface.textures().end()) {
+      root_(tree_.mesh(NodeId::root)) {
+  for (const NodeId n : surface.textures()) textures_.push_back(n);
   if (textures_.size() > max_sets)
     throw InputError("decimate: " + std::to_string(textures_.size()) + " UV sets; at most " +
                      std::to_string(max_sets) + " are supported");

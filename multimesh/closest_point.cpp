@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/embree/closest_point.hpp"
+#include "multimesh/closest_point.hpp"
 
 #include <algorithm>
 
