@@ -4,7 +4,17 @@
 #include <algorithm>
 #include <array>
 
+#include "multimesh/faces.hpp"
+
 namespace multimesh {
+
+bool Mesh::has_link_around(LinkSet links, int j, Dart d, int k) const {
+  star(d, k, star_);
+  for (const Dart t : star_)
+    for (const Permutation p : faces_around(dimension_, j, k))
+      if (link(links, reorder(t, p)) != no_index) return true;
+  return false;
+}
 
 void check_simplices_differ(const Mesh& mesh, int k, std::vector<std::string>& problems) {
   std::vector<std::pair<std::array<Index, 4>, Index>> all;

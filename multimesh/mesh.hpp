@@ -134,6 +134,9 @@ class Mesh {
   /// The facet of a child over the k-simplex of d (k is that of the link set), or no_index.
   virtual Index link(LinkSet links, Dart d) const = 0;
   virtual void set_link(LinkSet links, Dart d, Index child_facet) = 0;
+  /// Whether a j-simplex around the k-simplex of d, k < j, has a facet of a child over it; j is the dimension
+  /// of the link set. One call per star: adapters may know a faster way than this one.
+  virtual bool has_link_around(LinkSet links, int j, Dart d, int k) const;
 
   // --- maintenance
   /// Removes dead elements for good; properties and status bits move along. \pre the journal is empty
@@ -148,6 +151,7 @@ class Mesh {
 
  private:
   int dimension_;
+  mutable DartBuffer star_;
 };
 
 /// Appends a sentence for every two k-simplices with the same vertices: in a proper simplicial complex there

@@ -270,11 +270,7 @@ bool MultiMesh::has_preimage(NodeId from, Dart d, int k, NodeId descendant) cons
   const int dim = c.mesh->dimension();
   if (k > dim) return false;
   if (k == dim) return above.link(c.links, d) != no_index;
-  above.star(d, k, star_);
-  for (const Dart t : star_)
-    for (const Permutation p : faces_around(above.dimension(), dim, k))
-      if (above.link(c.links, above.reorder(t, p)) != no_index) return true;
-  return false;
+  return above.has_link_around(c.links, dim, d, k);
 }
 
 std::vector<Compaction> MultiMesh::compact() {

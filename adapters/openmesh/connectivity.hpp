@@ -78,6 +78,9 @@ class Connectivity : public Mesh {
   void copy_edge_properties(int from_halfedge, int to_halfedge);  // and those of both halfedges
   void copy_face_properties(int from, int to);
 
+  /// Per simplex, one more than the facet of the child over it; 0: none.
+  const std::vector<Index>& link_column(LinkSet links) const { return *links_[links].facet_plus_one; }
+
   using Status = std::vector<OpenMesh::Attributes::StatusInfo>;
   const Status& status(int k) const {
     return *(k == 0 ? vertex_status_ : k == 1 ? edge_status_ : face_status_);

@@ -152,6 +152,20 @@ void TriangleMesh::star(Dart d, int k, DartBuffer& out_darts) const {
   }
 }
 
+// Around a vertex, halfedge by halfedge; the boundary has an edge more than facets.
+bool TriangleMesh::has_link_around(LinkSet links, int j, Dart d, int k) const {
+  if (k != 0) return Mesh::has_link_around(links, j, d, k);
+  const std::vector<Index>& facet_plus_one = link_column(links);
+  const int first = flip(d) ? half(d) ^ 1 : half(d);  // outgoing
+  int o = first;
+  do {
+    const int s = j == 1 ? o >> 1 : face(o);
+    if (s >= 0 && facet_plus_one[static_cast<std::size_t>(s)] != 0) return true;
+    o = prev(o) ^ 1;
+  } while (o != first);
+  return false;
+}
+
 bool TriangleMesh::is_boundary(Dart d, int k) const {
   if (k == 0) return boundary_vertex(static_cast<int>(simplex(d, 0)));
   return face(half(d)) < 0 || face(half(d) ^ 1) < 0;

@@ -36,6 +36,7 @@ class TriangleMesh final : public Connectivity {
   void vertices(Dart d, Index* out) const override;
   void star(Dart d, int k, DartBuffer& out) const override;
   bool is_boundary(Dart d, int k) const override;
+  bool has_link_around(LinkSet links, int j, Dart d, int k) const override;
   bool link_condition(Dart e) const override;
   void split_edge(Dart e, SplitRecord& record) override;
   void collapse_edge(Dart e, CollapseRecord& record) override;

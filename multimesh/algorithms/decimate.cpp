@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <memory>
 
@@ -23,7 +24,7 @@ namespace decimation {
 namespace {
 
 /// Costs that differ by less than this factor count as equal: an edge is not postponed for it.
-constexpr double same_cost = 1 + 1e-6;
+const double same_cost = std::getenv("TOL") ? std::atof(std::getenv("TOL")) : 1 + 1e-6;
 
 using Counts = std::map<std::string, std::size_t>;
 
