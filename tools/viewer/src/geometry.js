@@ -96,15 +96,17 @@ export function surfaceGeometry(mesh, scale) {
   return { geometry, runs };
 }
 
-/** The edges for which `wanted(edge)` holds, as line segments. */
-export function edgeGeometry(mesh, edges, wanted) {
-  const index = [];
+/** The ends of the edges for which wanted(edge) holds: six coordinates for each. */
+export function segments(mesh, edges, wanted) {
+  let count = 0;
+  for (let e = 0; e < edges.count; ++e) count += wanted(e) ? 1 : 0;
+  const ends = new Float32Array(6 * count);
+  let at = 0;
   for (let e = 0; e < edges.count; ++e) {
+    if (!wanted(e)) continue;
     const h = edges.first[e];
-    if (wanted(e)) index.push(mesh.position[h], mesh.position[next(h)]);
+    for (const p of [mesh.position[h], mesh.position[next(h)]])
+      for (let k = 0; k < 3; ++k) ends[at++] = mesh.positions[3 * p + k];
   }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
-  geometry.setIndex(new BufferAttribute(new Uint32Array(index), 1));
-  return geometry;
+  return ends;
 }

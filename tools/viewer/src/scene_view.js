@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One mesh with its light, its lines, and the part of the page that it is drawn into.
-import { DirectionalLight, HemisphereLight, LineBasicMaterial, LineSegments, Mesh, Scene } from 'three';
-import { edgeGeometry, surfaceGeometry } from './geometry.js';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DirectionalLight,
+  HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  Scene,
+} from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { segments, surfaceGeometry } from './geometry.js';
 
 export class SceneView {
   /** `edges` and `seam` as of edges.js. */
@@ -28,21 +40,31 @@ export class SceneView {
   }
 
   showWireframe(show) {
-    this.show('wireframe', show, () => true, { color: 0x10131c, transparent: true, opacity: 0.55 });
+    this.show('wireframe', show, () => {
+      const geometry = new BufferGeometry();
+      const ends = segments(this.mesh, this.edges, () => true);
+      geometry.setAttribute('position', new BufferAttribute(ends, 3));
+      return new LineSegments(geometry, new LineBasicMaterial({ color: 0x10131c, transparent: true, opacity: 0.55 }));
+    });
   }
 
   showSeams(show, color) {
-    this.show('seams', show, (e) => this.seam[e] === 1, { color });
+    this.show('seams', show, () => {
+      // Wider than one pixel, which WebGL's own lines cannot be.
+      const geometry = new LineSegmentsGeometry();
+      geometry.setPositions(segments(this.mesh, this.edges, (e) => this.seam[e] === 1));
+      const lines = new LineSegments2(geometry, new LineMaterial({ linewidth: 2.5 }));
+      lines.renderOrder = 1;
+      return lines;
+    });
+    this.lines.get('seams')?.material.color.set(color);
   }
 
   /** Lines are made when they are first asked for. */
-  show(name, visible, wanted, appearance) {
+  show(name, visible, make) {
     if (visible && !this.lines.has(name)) {
-      const geometry = edgeGeometry(this.mesh, this.edges, wanted);
-      const lines = new LineSegments(geometry, new LineBasicMaterial(appearance));
-      lines.renderOrder = name === 'seams' ? 2 : 1;
-      this.lines.set(name, lines);
-      this.scene.add(lines);
+      this.lines.set(name, make());
+      this.scene.add(this.lines.get(name));
     }
     if (this.lines.has(name)) this.lines.get(name).visible = visible;
   }

@@ -39,7 +39,7 @@ export class SurfaceCard {
     this.form.addEventListener('change', () => this.apply());
     this.form.addEventListener('submit', (event) => event.preventDefault());
     byId('reset-view').addEventListener('click', () => this.stage.reset());
-    onThemeChange(() => this.recolor());
+    onThemeChange(() => this.apply());
     this.apply();
     this.stage.resize();
     this.stage.reset();
@@ -59,11 +59,6 @@ export class SurfaceCard {
       view.showWireframe(byId('wireframe').checked);
       view.showSeams(byId('seams').checked, themeColor('--seam'));
     }
-    this.stage.redraw();
-  }
-
-  recolor() {
-    for (const view of this.stage.views) view.lines.get('seams')?.material.color.set(themeColor('--seam'));
     this.stage.redraw();
   }
 }
