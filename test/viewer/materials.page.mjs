@@ -38,10 +38,10 @@ const imagePixels = (picture) => count(picture, [0xff, 0xee, 0xe4], 30); // the 
 
 async function manyMaterials(page) {
   const [before, after] = [await pixels(page, '#pane-before'), await pixels(page, '#pane-after')];
-  assert.ok(reddish(before) > 300, 'the red square');
-  assert.ok(greenish(before) > 300, 'the green square');
-  assert.ok(reddish(after) < 50, 'which the other file does not have');
-  assert.ok(greenish(after) > 300);
+  assert.ok(reddish(before) > 60, 'the red square');
+  assert.ok(greenish(before) > 60, 'the green square');
+  assert.ok(reddish(after) < 10, 'which the other file does not have');
+  assert.ok(greenish(after) > 60);
 
   const notes = await page.locator('#notes li').allInnerTexts();
   for (const name of ['nowhere.png', 'broken.png', 'image.tga'])
@@ -53,9 +53,11 @@ async function manyMaterials(page) {
   assert.equal(await page.locator('b').count(), 0, 'no markup from names');
   assert.ok((await page.title()).includes('<script><b>'));
   await page.selectOption('#material', { label: 'cow' });
-  assert.ok(imagePixels(await pixels(page, '#atlas-before')) > 1000, 'of the chosen material');
+  const withImage = imagePixels(await pixels(page, '#atlas-before'));
+  assert.ok(withImage > 3000, `that of the chosen material: ${withImage}`);
   await page.selectOption('#material', { label: hostile });
-  assert.ok(imagePixels(await pixels(page, '#atlas-before')) < 100);
+  const without = imagePixels(await pixels(page, '#atlas-before'));
+  assert.ok(without < withImage / 5, `${without} of ${withImage}`); // soft edges of lines can have its colour
 }
 
 async function noTextureCoordinates(page) {
