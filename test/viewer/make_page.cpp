@@ -12,11 +12,10 @@ namespace {
 using namespace multimesh;
 using namespace multimesh::tools;
 
-/// Errors to look at: how far each position is to the nearest one of `before`, along a line of `x` that is
-/// as good as any other for a test.
-std::vector<float> made_up_errors(const TexturedTriangles& after) {
-  std::vector<float> error;
-  for (const auto& p : after.positions) error.push_back(static_cast<float>(0.01 * std::abs(p[0])));
+/// An error to look at: it grows along an axis.
+HtmlError made_up_error(const std::string& name, const TexturedTriangles& after, std::size_t axis) {
+  HtmlError error{name, {}};
+  for (const auto& p : after.positions) error.values.push_back(0.01 * std::abs(p[axis]));
   return error;
 }
 
@@ -25,7 +24,8 @@ int make_page(int argc, char** argv) {
   HtmlReport report{.title = before.path.filename().string() + " → " + after.path.filename().string(),
                     .before = html_mesh(before),
                     .after = html_mesh(after)};
-  report.error = made_up_errors(report.after.surface);
+  report.errors = {made_up_error("Distance", report.after.surface, 0),
+                   made_up_error("Texture deviation", report.after.surface, 1)};
   if (argc > 4) {
     std::ifstream in(argv[4]);
     report.numbers = Json::parse(in);

@@ -39,16 +39,16 @@ async function controlsChangeTheViews(page) {
   for (const pane of ['#pane-before', '#pane-after'])
     assert.ok(count(await pixels(page, pane), seam) > 100, 'seams in the views');
   await choose(page, 'Seams');
-  for (const mode of ['Plain', 'UV checker', 'Error', 'Textured']) {
+  for (const mode of ['Plain', 'UV checker', 'Distance', 'Texture deviation', 'Textured']) {
     assert.ok((await changes(page, mode, '#pane-after')) > 0.05, mode);
-    assert.equal(await page.locator('#legend').isVisible(), mode === 'Error');
+    assert.equal(await page.locator('#legend').isVisible(), mode === 'Distance' || mode === 'Texture deviation');
   }
 }
 
 async function errorHasAScale(page) {
-  await choose(page, 'Error');
+  await choose(page, 'Distance');
   const legend = await page.locator('#legend').innerText();
-  assert.match(legend, /percent of the bounding-box diagonal/);
+  assert.match(legend, /^Distance .* percent of the bounding-box diagonal/);
   assert.match(legend, /Largest: [\d.]+ %/);
   assert.ok(colors(await pixels(page, '.ramp')) > 20);
   await choose(page, 'Textured');
@@ -88,7 +88,7 @@ async function atlasesAreDrawn(page) {
 
 async function numbersAreThere(page) {
   const figures = await page.locator('#figures').innerText();
-  for (const part of ['5\u202f856 → 586', 'Charts', '13', 'Seam edges', 'Largest error', 'Stopped by'])
+  for (const part of ['5\u202f856 → 586', 'Charts', '13', 'Seam edges', 'Largest distance', 'Largest texture deviation', 'Stopped by'])
     assert.ok(figures.includes(part), `${part} in ${figures}`);
   const numbers = await page.locator('#numbers').innerText();
   for (const part of ['Before and after', 'Euler characteristic', 'Junctions', 'target number of faces', 'Max cost'])

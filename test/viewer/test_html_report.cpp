@@ -93,11 +93,11 @@ TEST_F(Report, AboveTheLimitMeshesAreLeftOut) {
 
 TEST_F(Report, WrongInputIsRefusedAndNothingIsWritten) {
   HtmlReport report{.title = "t", .before = triangle(), .after = triangle()};
-  report.error = {0, 0};
+  report.errors = {{"Distance", {0, 0}}};
   EXPECT_THROW(write(report), UsageError);
-  report.error = {0, 0, -1};
+  report.errors = {{"Distance", {0, 0, -1}}};
   EXPECT_THROW(write(report), UsageError);
-  report.error.clear();
+  report.errors.clear();
   report.after.material = {0};
   EXPECT_THROW(write(report), UsageError);
   report.after.material.clear();

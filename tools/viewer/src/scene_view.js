@@ -16,8 +16,8 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 import { segments, surfaceGeometry } from './geometry.js';
 
 export class SceneView {
-  /** `edges` and `seam` as of edges.js. */
-  constructor({ mesh, pane, edges, seam, errorScale, materials }) {
+  /** `edges` and `seam` as of edges.js, `scales` of the errors as of legend.js. */
+  constructor({ mesh, pane, edges, seam, scales, materials }) {
     this.mesh = mesh;
     this.pane = pane;
     this.edges = edges;
@@ -26,15 +26,18 @@ export class SceneView {
     this.scene = new Scene();
     this.light = new DirectionalLight(0xffffff, 1.9);
     this.scene.add(new HemisphereLight(0xffffff, 0x8d8f99, 1.7), this.light);
-    const { geometry, runs } = surfaceGeometry(mesh, errorScale);
+    const { geometry, runs, errors } = surfaceGeometry(mesh, scales);
     this.runs = runs;
+    this.errors = errors;
     this.surface = new Mesh(geometry);
     this.scene.add(this.surface);
     this.byMode = new Map();
     this.lines = new Map();
   }
 
-  setMode(mode) {
+  /** A mode of surface_materials.js; `error`: which, in that mode. */
+  setMode(mode, error) {
+    if (mode === 'error' && this.errors.length > 0) this.surface.geometry.setAttribute('uv1', this.errors[error]);
     if (!this.byMode.has(mode)) this.byMode.set(mode, this.materials.of(this.mesh, this.runs, mode));
     this.surface.material = this.byMode.get(mode);
   }
