@@ -96,7 +96,7 @@ export function keyFigures(page, scales) {
     pairTile('Vertices', before?.surface?.vertices, after?.surface?.vertices),
     pairTile('Charts', before?.texture?.charts, after?.texture?.charts),
     pairTile('Seam edges', before?.seams?.edges, after?.seams?.edges),
-    ...scales.map(({ name, largest }) => tile(`Largest ${name.toLowerCase()}`, formatPercent(largest), 'of the diagonal')),
+    ...scales.map(({ name, largest }) => tile(`Largest ${name.toLowerCase()}`, formatPercent(largest), 'of the diagonal, at vertices')),
     typeof seconds === 'number' ? tile('Time', `${formatNumber(Number(seconds.toPrecision(3)))} s`) : null,
     typeof stop === 'string' ? tile('Stopped by', stop) : null,
   ].filter(Boolean);
