@@ -3,8 +3,10 @@
 
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <unordered_map>
 
+#include "multimesh/algorithms/shading.hpp"
 #include "multimesh/hash.hpp"
 
 namespace multimesh {
@@ -12,6 +14,8 @@ namespace multimesh {
 using OpenMesh::Vec3d;
 
 namespace {
+
+constexpr double most_within_flat = 5 * std::numbers::pi / 180;
 
 /// A rounded unit vector, without -0.
 Vec3d tidy(const Vec3d& n) {
@@ -54,7 +58,14 @@ class NormalComputer {
 
  private:
   // Around v, the face of a dart (v, b, c) comes after the edge vb and before the edge vc.
-  bool hard_before(Dart d) const { return surface_.hard(root_.simplex(d, 1)); }
+  bool separates_before(Dart d) const {
+    if (surface_.hard(root_.simplex(d, 1))) return true;
+    const Dart beside = root_.switch_dart(d, 2);
+    if (beside == no_dart || !is_flat(d) || !is_flat(beside)) return false;
+    const Vec3d m = weighted_normal(d), n = weighted_normal(beside);
+    return std::atan2(cross(m, n).norm(), dot(m, n)) > most_within_flat;
+  }
+  bool is_flat(Dart d) const { return (surface_.triangle_shading(root_.facet(d)) & flat_shaded) != 0; }
   Dart next(Dart d) const { return root_.switch_dart(root_.switch_dart(d, 1), 2); }
   Dart previous(Dart d) const {
     const Dart e = root_.switch_dart(d, 2);
@@ -65,7 +76,7 @@ class NormalComputer {
   Dart first_of_a_fan(Dart d) const {
     Dart first = d;
     for (Dart p = d;;) {
-      if (hard_before(p)) first = p;
+      if (separates_before(p)) first = p;
       const Dart q = previous(p);
       if (q == no_dart) return p;
       if (root_.facet(q) == root_.facet(d)) return first;
@@ -80,7 +91,7 @@ class NormalComputer {
       sum += weighted_normal(d);
       const Dart beside = next(d);
       const bool all_seen = beside == no_dart || root_.facet(beside) == root_.facet(first);
-      if (all_seen || hard_before(beside)) {
+      if (all_seen || separates_before(beside)) {
         fans_.push_back(tidy(sum));
         sum = Vec3d(0, 0, 0);
       }
@@ -115,7 +126,7 @@ class NormalComputer {
     for (Index f = 0; f < root_.capacity(2); ++f) {
       if (!root_.is_live(2, f)) continue;
       const bool reversed = surface_.is_reversed(f);
-      const bool opposite = reversed != surface_.normals_behind(f);
+      const bool opposite = reversed != ((surface_.triangle_shading(f) & normals_behind) != 0);
       auto& corners = out.corners.emplace_back();
       for (std::size_t i = 0; i < 3; ++i) {
         const Vec3d& n = fans_[fan_of_[f][i]];

@@ -12,11 +12,12 @@ struct CornerNormals {
 };
 
 /// The normals of a surface as it is now; triangles and corners as surface.triangles() gives them. All faces
-/// around a vertex that no hard edge and no boundary separates have one normal there: the mean of their
-/// normals, weighted by their angles at the vertex. It is on the side of each triangle on which the input had
-/// it. 0 0 1 where no face has an area. Cost: linear.
-/// Source: Thuermer & Wuethrich, Computing vertex normals from polygonal facets, J. Graphics Tools 3(1),
-/// 1998.
+/// around a vertex that nothing separates have one normal there: the mean of their normals, weighted by their
+/// angles at the vertex. What separates them are boundaries, hard edges, and edges of more than 5 degrees
+/// between triangles that were shaded flat: the diagonal of a flat polygon is not hard, but it may have
+/// become an edge like the others. The normal is on the side of each triangle on which the input had it. 0 0
+/// 1 where no face has an area. Cost: linear. Source: Thuermer & Wuethrich, Computing vertex normals from
+/// polygonal facets, J. Graphics Tools 3(1), 1998.
 CornerNormals corner_normals(const TexturedSurface& surface);
 
 }  // namespace multimesh

@@ -21,7 +21,8 @@ class ShadingReader {
 
   std::vector<std::uint8_t> run() {
     for (std::size_t t = 0; t < bits_.size(); ++t)
-      if (points_back(t)) bits_[t] |= normals_behind;
+      bits_[t] =
+          static_cast<std::uint8_t>((points_back(t) ? normals_behind : 0) | (flat(t) ? flat_shaded : 0));
     find_hard_edges();
     return std::move(bits_);
   }
@@ -41,6 +42,11 @@ class ShadingReader {
   Vec3d normal(std::size_t t, std::size_t i) const {
     const std::int32_t n = corners_[t][i % 3];
     return n < 0 ? Vec3d(0, 0, 0) : normals_[static_cast<std::size_t>(n)];
+  }
+
+  bool flat(std::size_t t) const {
+    const Vec3d n = normal(t, 0);
+    return n.sqrnorm() > 0 && !differ(n, normal(t, 1)) && !differ(n, normal(t, 2));
   }
 
   bool points_back(std::size_t t) const {

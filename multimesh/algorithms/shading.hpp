@@ -14,6 +14,9 @@ enum ShadingBits : std::uint8_t {
   hard_edges = 7,
   /// The normals point to the back of the triangle.
   normals_behind = 8,
+  /// All three corners have one normal: the triangle alone, or a polygon that it is a part of, is shaded
+  /// flat.
+  flat_shaded = 16,
 };
 
 /// TexturedTriangles::shading from the normals of a file. `corners`: #F, into `normals`; -1: none. An edge of

@@ -94,8 +94,8 @@ bool TexturedSurface::hard(Index edge) const {
 void TexturedSurface::set_hard(Index edge, bool on) {
   (*data_->hard)[edge] = on;
 }
-bool TexturedSurface::normals_behind(Index triangle) const {
-  return data_->normals_behind && (*data_->normals_behind)[triangle] != 0;
+unsigned TexturedSurface::triangle_shading(Index triangle) const {
+  return data_->triangle_shading ? static_cast<unsigned char>((*data_->triangle_shading)[triangle]) : 0U;
 }
 bool TexturedSurface::is_reversed(Index triangle) const {
   return (*data_->reversed)[triangle] != 0;

@@ -88,8 +88,8 @@ class TexturedSurface {
   bool hard(Index edge) const;
   /// \pre has_normals()
   void set_hard(Index edge, bool on = true);
-  /// Whether the normals of a triangle of the surface point to its back, in the orientation of the input.
-  bool normals_behind(Index triangle) const;
+  /// Of a triangle of the surface: ShadingBits but for the edges, in the orientation of the input.
+  unsigned triangle_shading(Index triangle) const;
   /// Whether a triangle of the surface was turned round, and is turned back by triangles().
   bool is_reversed(Index triangle) const;
 

@@ -20,7 +20,7 @@ struct TexturedSurface::Data {
   std::vector<Index>* source_position = nullptr;      // per vertex of the surface: the input's index
   std::vector<char>* is_copy = nullptr;               // per vertex of the surface
   std::vector<char>* hard = nullptr;                  // per edge of the surface, or null
-  std::vector<char>* normals_behind = nullptr;        // per triangle of the surface, or null
+  std::vector<char>* triangle_shading = nullptr;      // per triangle of the surface: ShadingBits; or null
   std::vector<Index>* source_triangle = nullptr;      // per triangle of the surface
   std::vector<char>* reversed = nullptr;              // per triangle of the surface
   CutReport report;

@@ -60,11 +60,11 @@ Index opposite_edge(const Mesh& root, const Cut& cut, Index f, std::size_t i) {
 void add_shading(const TexturedTriangles& input, const Cut& cut, TexturedSurface::Data& out) {
   if (input.shading.empty()) return;
   out.hard = out.add_property(NodeId::root, OpenMesh::EPropHandleT<char>(), "hard");
-  out.normals_behind = out.add_property(NodeId::root, OpenMesh::FPropHandleT<char>(), "normals behind");
+  out.triangle_shading = out.add_property(NodeId::root, OpenMesh::FPropHandleT<char>(), "shading");
   const Mesh& root = out.tree->mesh(NodeId::root);
   for (Index f = 0; f < input.shading.size(); ++f) {
     const unsigned bits = input.shading[f];
-    (*out.normals_behind)[f] = (bits & normals_behind) != 0;
+    (*out.triangle_shading)[f] = static_cast<char>(bits & (normals_behind | flat_shaded));
     if ((bits & hard_edges) == 0) continue;
     for (std::size_t i = 0; i < 3; ++i)  // the edge opposite to corner i begins at the corner after it
       if ((bits >> (input_corner(cut, f, i) + 1) % 3 & 1U) != 0)

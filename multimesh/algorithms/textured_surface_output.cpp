@@ -4,7 +4,6 @@
 #include <bit>
 #include <unordered_map>
 
-#include "multimesh/algorithms/shading.hpp"
 #include "multimesh/algorithms/textured_surface_data.hpp"
 #include "multimesh/hash.hpp"
 
@@ -93,7 +92,7 @@ class TexcoordNumbers {
 std::uint8_t shading_of(const TexturedSurface& surface, const Mesh& root, Dart d) {
   const Dart from_second = root.switch_dart(root.switch_dart(d, 0), 1);
   const std::array edges{d, from_second, root.switch_dart(d, 1)};
-  unsigned bits = surface.normals_behind(root.facet(d)) ? unsigned{normals_behind} : 0U;
+  unsigned bits = surface.triangle_shading(root.facet(d));
   for (unsigned i = 0; i < 3; ++i) bits |= surface.hard(root.simplex(edges[i], 1)) ? 1U << i : 0U;
   return static_cast<std::uint8_t>(bits);
 }
