@@ -7,6 +7,9 @@
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #include "tools/comparison_json.hpp"
+#include "tools/comparison_page.hpp"
+#include "tools/html_report.hpp"
+#include "tools/output_check.hpp"
 #include "tools/surface_file.hpp"
 
 namespace multimesh::tools {
@@ -14,7 +17,7 @@ namespace multimesh::tools {
 namespace {
 
 struct CompareArguments {
-  std::string original, other;
+  std::string original, other, html;
   CompareOptions options;
   bool json = false;
 };
@@ -77,9 +80,32 @@ void print(const CompareArguments& a, const SurfaceComparison& c) {
   table.line("outside of the texture", t.outside);
 }
 
+/// The counts of one side as reports have them: of its meshes and of its triangles.
+Json side(Json counts) {
+  Json meshes = counts["meshes"];
+  counts.erase("meshes");
+  counts.update(meshes);
+  return counts;
+}
+
+void write_page(const CompareArguments& a, const SurfaceFile& original, const SurfaceFile& other,
+                const SurfaceComparison& comparison) {
+  const Json j = to_json(comparison);
+  write_comparison_page(a.html, original.path.filename().string() + " and " + other.path.filename().string(),
+                        html_mesh(original), html_mesh(other), comparison,
+                        {{"before", side(j["original"])}, {"after", side(j["other"])}});
+}
+
 void run(const CompareArguments& a) {
+  if (!a.html.empty()) {
+    require_html_report();
+    check_output_path(a.html, {a.original, a.other});
+  }
   const SurfaceFile original = read_surface(a.original), other = read_surface(a.other);
-  const SurfaceComparison comparison = compare_surfaces(original.input, other.input, a.options);
+  CompareOptions options = a.options;
+  options.per_vertex = !a.html.empty();
+  const SurfaceComparison comparison = compare_surfaces(original.input, other.input, options);
+  if (!a.html.empty()) write_page(a, original, other, comparison);
   if (a.json) {
     Json j{{"original_file", a.original}, {"other_file", a.other}, {"samples", a.options.samples}};
     j.update(to_json(comparison));
@@ -110,6 +136,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0U, 1024U))
       ->capture_default_str();
   command->add_flag("--json", a->json, "print JSON");
+  command->add_option("--report-html", a->html, "write a page with both surfaces in 3D and the errors measured");
   command->footer(
       "Example:  multimesh compare cow.obj small.obj\n\n"
       "distance: of the surfaces, both ways. texture deviation: from a point to the place of the original "

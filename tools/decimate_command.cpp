@@ -2,139 +2,137 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <system_error>
 
 #include "adapters/io/atomic_file.hpp"
-#include "adapters/io/output_path.hpp"
-#include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/error.hpp"
-#include "multimesh/version.hpp"
 #include "tools/command.hpp"
+#include "tools/comparison_json.hpp"
+#include "tools/comparison_page.hpp"
+#include "tools/decimate_report.hpp"
+#include "tools/html_report.hpp"
+#include "tools/output_check.hpp"
 #include "tools/surface_file.hpp"
-#include "tools/surface_json.hpp"
 
 namespace multimesh::tools {
 
 namespace {
 
-struct DecimateArguments {
-  std::string input, output, report, cost = "quadric";
-  double ratio = 0, max_error = 0;
-  std::size_t faces = 0;
-  bool quiet = false;
-  CLI::Option *ratio_given = nullptr, *faces_given = nullptr, *error_given = nullptr;
+namespace fs = std::filesystem;
+
+/// small.obj -> small.lod1.obj
+fs::path level_path(const fs::path& output, std::size_t level) {
+  fs::path path = output;
+  path.replace_extension(".lod" + std::to_string(level) + output.extension().string());
+  return path;
+}
+
+void check_paths(const DecimateArguments& a) {
+  check_output_path(a.output, {});
+  const std::string extension = fs::path(a.output).extension().string();
+  if (extension != ".obj" && extension != ".OBJ")
+    throw InputError(a.output + ": only OBJ files are written; give a name that ends in .obj");
+  if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
+  if (a.html.empty()) return;
+  require_html_report();
+  check_output_path(a.html, {a.input, a.output});
+  if (a.html == a.report) throw InputError(a.html + ": both reports would have this name; choose another one");
+}
+
+/// Of the whole run, for the reports.
+class Run {
+ public:
+  explicit Run(const DecimateArguments& a)
+      : a_(a), file_(read_surface(a.input)), options_(decimate_options(a, file_.input.triangles.size())) {}
+
+  void decimate();
+  void write_reports();
+  void print() const;
+
+ private:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  void write_level(const TexturedSurface& surface, std::size_t level);
+  void measure(Json& j);
+
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const DecimateArguments& a_;
+  SurfaceFile file_;
+  DecimateOptions options_;
+  DecimateResult result_;
+  Json before_, after_, levels_ = Json::array();
+  double seconds_ = 0;
+  // For a page or a measurement only.
+  TexturedTriangles left_;
+  std::vector<Index> source_;
 };
 
-DecimateOptions options_of(const DecimateArguments& a, std::size_t faces) {
-  DecimateOptions o;
-  o.cost = a.cost == "length" ? DecimateCost::length : DecimateCost::quadric;
-  if (*a.ratio_given)
-    o.faces = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(a.ratio * double(faces))));
-  if (*a.faces_given) o.faces = a.faces;
-  if (*a.error_given) o.max_error = a.max_error;
-  return o;
+void Run::write_level(const TexturedSurface& surface, std::size_t level) {
+  const fs::path path = level_path(a_.output, level + 1);
+  std::vector<std::string> warnings;  // the same as for the last one
+  write_surface(path, surface, file_, warnings);
+  levels_.push_back({{"output", path.string()}, {"faces", surface.live_triangles()}});
 }
 
-const char* to_string(DecimateResult::Stop stop) {
-  switch (stop) {
-    case DecimateResult::Stop::faces:
-      return "target number of faces";
-    case DecimateResult::Stop::bound:
-      return "maximal error";
-    case DecimateResult::Stop::exhausted:
-      return "no edge left that may be collapsed";
-  }
-  return "?";
+void Run::decimate() {
+  TexturedSurface surface = take_surface(file_, surface_options(a_));
+  before_ = to_json(surface);
+  const bool show = !a_.quiet && isatty(STDERR_FILENO);
+  if (show)
+    options_.progress = [](std::size_t faces) { std::cerr << "\r" << faces << " faces   " << std::flush; };
+  options_.on_level = [&](std::size_t level) { write_level(surface, level); };
+  result_ = multimesh::decimate(surface, options_);
+  if (show) std::cerr << "\r";
+  write_surface(a_.output, surface, file_, file_.warnings);
+  after_ = to_json(surface);
+  if (a_.measure || !a_.html.empty()) left_ = surface.triangles(source_);
+  seconds_ = seconds();
 }
 
-Json counts(const std::vector<RefusalCount>& list) {
-  Json j = Json::object();
-  for (const auto& [reason, count] : list) j[reason] = count;
-  return j;
+/// Against the input, which is read again: while the surface was decimated, its memory was better used.
+void Run::measure(Json& j) {
+  const SurfaceFile input = read_surface(a_.input);
+  SurfaceComparison comparison =
+      compare_surfaces(input.input, left_, {.topology = false, .per_vertex = !a_.html.empty()});
+  const Json measured = to_json(comparison);
+  j["measured"] = {{"distance", measured["distance"]}, {"texture", measured["texture"]}};
+  if (a_.html.empty()) return;
+  HtmlMesh after = html_mesh(std::move(left_), source_, input);
+  after.caption = fs::path(a_.output).filename().string();
+  Json numbers = j;
+  numbers.erase("measured");
+  write_comparison_page(a_.html, fs::path(a_.input).filename().string() + ", decimated", html_mesh(input),
+                        std::move(after), std::move(comparison), std::move(numbers));
 }
 
-void write_report(const DecimateArguments& a, const DecimateOptions& o, const DecimateResult& r,
-                  const Json& before, const Json& after, double seconds,
-                  const std::vector<std::string>& warnings) {
-  Json j;
-  j["program"] = std::string("multimesh ") + version;
-  j["input"] = a.input;
-  j["output"] = a.output;
-  j["options"] = {{"cost", a.cost}};
-  if (o.faces > 0) j["options"]["target_faces"] = o.faces;
-  if (std::isfinite(o.max_error)) j["options"]["max_error"] = o.max_error;
-  j["faces"] = {{"before", r.faces_before}, {"after", r.faces_after}};
-  j["target_reached"] = r.stop != DecimateResult::Stop::exhausted || o.faces == 0;
-  j["stopped_by"] = to_string(r.stop);
-  if (!r.blocking.empty()) j["edges_left_by_what_keeps_them"] = counts(r.blocking);
-  j["collapses"] = {
-      {"tried", r.tried}, {"done", r.collapsed}, {"refused", counts(r.refused)}, {"seconds", r.seconds}};
-  j["max_cost"] = r.max_cost;
-  j["before"] = before;
-  j["after"] = after;
-  j["seconds"] = seconds;
-  j["warnings"] = warnings;
-  io::AtomicFile file(a.report);
+void Run::write_reports() {
+  if (a_.report.empty() && a_.html.empty()) return;
+  Json j = decimation_json(a_, options_, result_);
+  if (!levels_.empty()) j["levels"] = levels_;
+  j["before"] = before_;
+  j["after"] = after_;
+  j["seconds"] = seconds_;
+  j["warnings"] = file_.warnings;
+  if (a_.measure || !a_.html.empty()) measure(j);
+  if (a_.report.empty()) return;
+  io::AtomicFile file(a_.report);
   file.write(to_text(j));
   file.commit();
 }
 
-/// What can be known to go wrong before the work is done. \throw InputError
-void check_paths(const DecimateArguments& a) {
-  namespace fs = std::filesystem;
-  (void)io::checked_output_path(a.output);
-  const std::string extension = fs::path(a.output).extension().string();
-  if (extension != ".obj" && extension != ".OBJ")
-    throw InputError(a.output + ": only OBJ files are written; give a name that ends in .obj");
-  if (a.report.empty()) return;
-  (void)io::checked_output_path(a.report);
-  std::error_code error;  // of a path that does not exist: it is no mesh then
-  const fs::path report = fs::weakly_canonical(a.report, error);
-  for (const std::string& mesh : {a.input, a.output})
-    if (report == fs::weakly_canonical(mesh, error))
-      throw InputError(a.report + ": the report would replace the mesh " + mesh + "; choose another name");
-}
-
-void run(const DecimateArguments& a) {
-  const auto start = std::chrono::steady_clock::now();
-  check_paths(a);
-  SurfaceFile file = read_surface(a.input);
-  TexturedSurface surface(file.input);
-  const Json before = to_json(surface);
-
-  DecimateOptions options = options_of(a, file.input.triangles.size());
-  const bool show = !a.quiet && isatty(STDERR_FILENO);
-  if (show)
-    options.progress = [](std::size_t faces) { std::cerr << "\r" << faces << " faces   " << std::flush; };
-  const DecimateResult result = decimate(surface, options);
-  if (show) std::cerr << "\r";
-
-  write_surface(a.output, surface, file, file.warnings);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!a.report.empty()) write_report(a, options, result, before, to_json(surface), seconds, file.warnings);
-  if (a.quiet) return;
-  for (const auto& w : file.warnings) std::cerr << "warning: " << w << '\n';
-  std::cerr << result.faces_before << " faces -> " << result.faces_after << " in " << seconds
-            << " s; stopped by: " << to_string(result.stop) << '\n';
-  if (result.stop == DecimateResult::Stop::exhausted && options.faces > 0) {
-    std::cerr << "warning: the target of " << options.faces
-              << " faces cannot be reached. Edges left, by what keeps them:";
-    for (const auto& [reason, count] : result.blocking) std::cerr << ' ' << reason << ' ' << count << ';';
-    std::cerr << '\n';
-  }
-}
-
-/// A number for which `holds`; else the message says what it must be.
-CLI::Validator number(bool (*holds)(double), const std::string& must_be, const std::string& type) {
-  const auto check = [=](std::string& s) {
-    double x = 0;
-    return CLI::detail::lexical_cast(s, x) && holds(x) ? std::string() : "must be " + must_be;
-  };
-  return CLI::Validator(check, type);
+void Run::print() const {
+  if (a_.quiet) return;
+  for (const auto& w : file_.warnings) std::cerr << "warning: " << w << '\n';
+  std::cerr << result_.faces_before << " faces -> " << result_.faces_after << " in " << seconds_
+            << " s; stopped by: " << to_string(result_.stop) << '\n';
+  if (target_reached(options_, result_)) return;
+  std::cerr << "warning: the target of " << options_.faces
+            << " faces cannot be reached. Edges left, by what keeps them:";
+  for (const auto& [reason, count] : result_.blocking) std::cerr << ' ' << reason << ' ' << count << ';';
+  std::cerr << '\n';
 }
 
 }  // namespace
@@ -142,41 +140,22 @@ CLI::Validator number(bool (*holds)(double), const std::string& must_be, const s
 void add_decimate_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("decimate", "Reduce the number of faces; texture seams stay intact.");
   auto a = std::make_shared<DecimateArguments>();
-  command->add_option("IN", a->input, "textured OBJ (or PLY) file")->required();
-  command->add_option("-o,--output", a->output, "OBJ file to write")->required();
-  auto* targets = command->add_option_group("target", "exactly one");
-  a->ratio_given =
-      targets->add_option("--ratio", a->ratio, "share of the faces to keep, in (0, 1]")
-          ->check(number([](double r) { return r > 0 && r <= 1; }, "in (0, 1], for instance 0.1", "R"));
-  a->faces_given = targets->add_option("--faces", a->faces, "number of faces to keep")
-                       ->check(number([](double n) { return n >= 1; }, "a whole number above 0", "N"));
-  a->error_given =
-      targets
-          ->add_option(
-              "--max-error", a->max_error,
-              "largest cost of a collapse, relative to the diagonal of the bounding box (0.001 = 0.1%)")
-          ->check(
-              number([](double e) { return e > 0 && std::isfinite(e); }, "above 0, for instance 0.001", "E"));
-  targets->require_option(1);
-  command
-      ->add_option("--cost", a->cost,
-                   "what is collapsed first: quadric (distance to the planes merged so far) or "
-                   "length (shortest edge)")
-      ->check(CLI::IsMember({"quadric", "length"}))
-      ->capture_default_str();
-  command->add_option("--report", a->report, "write what was done, and what stood in the way, as JSON");
-  command->add_flag("--quiet", a->quiet, "print errors only");
+  add_options(*command, *a);
   command->footer(
-      "Example:  multimesh decimate cow.obj -o small.obj --ratio 0.1 --report report.json\n\n"
+      "Example:  multimesh decimate cow.obj -o small.obj --ratio 0.1 --report-html cow.html\n\n"
       "Kept: the topology of the surface and of every chart, the graph of the seams, materials and groups of "
       "each\n"
-      "face. No triangle of the texture flips or loses its area. Polygons become triangles; normals are left "
-      "out.\n"
-      "If topology does not allow the target, the file is written as small as it allows, a warning says what "
-      "stands\n"
-      "in the way, and the report counts it.");
+      "face. No triangle of the texture flips or loses its area. Polygons become triangles; normals are "
+      "computed\n"
+      "anew where there were some. If topology does not allow the target, the file is written as small as it "
+      "allows,\n"
+      "a warning says what stands in the way, and the report counts it.");
   command->callback([a, &exit_code] {
-    run(*a);
+    check_paths(*a);
+    Run run(*a);
+    run.decimate();
+    run.write_reports();
+    run.print();
     exit_code = done;
   });
 }

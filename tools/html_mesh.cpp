@@ -7,22 +7,12 @@
 
 namespace multimesh::tools {
 
-namespace {
-
-const std::string& material_name(const SurfaceFile& file, Index triangle) {
-  static const std::string none;
-  const auto& sections = file.soup.face_section;
-  return sections.empty() ? none : file.soup.sections[sections[file.triangles.polygon[triangle]]].material;
-}
-
-}  // namespace
-
 HtmlMesh html_mesh(TexturedTriangles surface, const std::vector<Index>& source, const SurfaceFile& file) {
   HtmlMesh mesh{.caption = file.path.filename().string(), .surface = std::move(surface)};
-  const std::vector<Material> known = read_materials(file.soup.material_libraries, file.path, mesh.notes);
+  const std::vector<Material> known = read_materials(file.material_libraries, file.path, mesh.notes);
   std::map<std::string, Index> number;
   for (const Index t : source) {
-    const std::string& name = material_name(file, t);
+    const std::string& name = file.section_of(t).material;
     const auto [at, is_new] = number.try_emplace(name, static_cast<Index>(mesh.materials.size()));
     mesh.material.push_back(at->second);
     if (!is_new) continue;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 #include <memory>
-#include <set>
 
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
@@ -17,32 +16,26 @@ struct InfoArguments {
   bool json = false;
 };
 
+Json contents_json(const SurfaceFile& file) {
+  const FileContents& c = file.contents;
+  return {{"positions", c.positions},
+          {"texcoords", c.texcoords},
+          {"normals", c.normals},
+          {"colors", c.colors},
+          {"faces", c.faces},
+          {"quads", c.quads},
+          {"larger_polygons", c.larger_polygons},
+          {"triangles", c.triangles},
+          {"materials", c.materials},
+          {"groups", c.groups},
+          {"objects", c.objects},
+          {"material_libraries", file.material_libraries}};
+}
+
 Json describe(const SurfaceFile& file, const TexturedSurface& surface) {
   Json j;
   j["file"] = file.path.string();
-  const auto& soup = file.soup;
-  std::size_t ngons = 0, quads = 0;
-  std::set<std::string> materials, groups, objects;
-  for (std::size_t f = 0; f < soup.face_count(); ++f) {
-    quads += soup.face(f).size() == 4;
-    ngons += soup.face(f).size() > 4;
-    if (soup.face_section.empty()) continue;
-    const auto& section = soup.sections[soup.face_section[f]];
-    materials.insert(section.material), groups.insert(section.group), objects.insert(section.object);
-  }
-  for (auto* names : {&materials, &groups, &objects}) names->erase("");
-  j["contents"] = {{"positions", soup.positions.size()},
-                   {"texcoords", soup.texcoords.size()},
-                   {"normals", soup.normals.size()},
-                   {"colors", soup.colors.size()},
-                   {"faces", soup.face_count()},
-                   {"quads", quads},
-                   {"larger_polygons", ngons},
-                   {"triangles", file.input.triangles.size()},
-                   {"materials", materials},
-                   {"groups", groups},
-                   {"objects", objects},
-                   {"material_libraries", soup.material_libraries}};
+  j["contents"] = contents_json(file);
   const ManifoldReport m = report_manifoldness(file.input, surface);
   j["manifold"] = {{"as_given", m.edges_with_three_or_more == 0 && m.cut_vertices == 0},
                    {"edges_with_three_or_more_faces", m.edges_with_three_or_more},
@@ -84,9 +77,11 @@ void print(const Json& j) {
       std::cout << "           " << j["triangles_without_texcoords"]
                 << " triangles without texture coordinates\n";
   }
-  if (const Json& s = j["meshes"]["seams"]; !s.is_null())
-    std::cout << "  seams:   " << s["edges"] << " edges in " << s["curves"] << " curves, " << s["ends"]
-              << " ends, " << s["junctions"] << " junctions\n";
+  for (const char* name : {"seams", "features"})
+    if (const Json& s = j["meshes"][name]; !s.is_null())
+      std::cout << "  " << name << ": " << (std::string_view(name) == "seams" ? "  " : "") << s["edges"]
+                << " edges in " << s["curves"] << " curves, " << s["ends"] << " ends, " << s["junctions"]
+                << " junctions\n";
   for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
 }
 

@@ -2,25 +2,19 @@
 #include "tools/surface_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "adapters/io/mesh_reader.hpp"
-#include "adapters/io/mtl.hpp"
-#include "adapters/io/obj_writer.hpp"
+#include "adapters/io/triangulate.hpp"
+#include "multimesh/algorithms/shading.hpp"
 #include "multimesh/error.hpp"
-#include "multimesh/version.hpp"
 
 namespace multimesh::tools {
 
 namespace {
-
-OpenMesh::Vec3d vec(const std::array<double, 3>& p) {
-  return {p[0], p[1], p[2]};
-}
-OpenMesh::Vec2d vec(const std::array<double, 2>& p) {
-  return {p[0], p[1]};
-}
 
 bool repeats_vertex(const std::array<io::PolygonSoup::Corner, 3>& t) {
   return t[0].v == t[1].v || t[1].v == t[2].v || t[2].v == t[0].v;
@@ -30,78 +24,124 @@ void add_count(std::vector<std::string>& warnings, std::size_t count, const std:
   if (count > 0) warnings.push_back(std::to_string(count) + " " + what);
 }
 
-/// A number per face: equal for equal materials. Empty if the file has no sections.
-std::vector<Index> material_numbers(const io::PolygonSoup& soup) {
-  std::map<std::string, Index> number;
-  std::vector<Index> of_faces;
-  for (const std::uint32_t section : soup.face_section)
-    of_faces.push_back(
-        number.try_emplace(soup.sections[section].material, static_cast<Index>(number.size())).first->second);
-  return of_faces;
+/// Converts, and gives the memory of the list back.
+template <class To, class From>
+std::vector<To> taken(std::vector<From>& list) {
+  std::vector<To> result;
+  result.reserve(list.size());
+  for (const auto& p : list) {
+    if constexpr (std::tuple_size_v<From> == 3) {
+      result.push_back({p[0], p[1], p[2]});
+    } else {
+      result.push_back({p[0], p[1]});
+    }
+  }
+  std::vector<From>().swap(list);
+  return result;
 }
 
-void convert(SurfaceFile& file) {
-  for (const auto& p : file.soup.positions) file.input.positions.push_back(vec(p));
-  for (const auto& p : file.soup.texcoords) file.input.texcoords.push_back(vec(p));
-  const std::vector<Index> materials = material_numbers(file.soup);
-  io::TriangleSoup kept;
+FileContents contents(const io::PolygonSoup& soup) {
+  FileContents c{soup.positions.size(),
+                 soup.texcoords.size(),
+                 soup.normals.size(),
+                 soup.colors.size(),
+                 soup.face_count(),
+                 0,
+                 0,
+                 0,
+                 {},
+                 {},
+                 {}};
+  std::vector<bool> used(soup.sections.size(), false);
+  for (std::size_t f = 0; f < soup.face_count(); ++f) {
+    c.quads += soup.face(f).size() == 4;
+    c.larger_polygons += soup.face(f).size() > 4;
+    if (!soup.face_section.empty()) used[soup.face_section[f]] = true;
+  }
+  for (std::size_t s = 0; s < used.size(); ++s) {
+    if (!used[s]) continue;
+    c.materials.insert(soup.sections[s].material);
+    c.groups.insert(soup.sections[s].group);
+    c.objects.insert(soup.sections[s].object);
+  }
+  for (auto* names : {&c.materials, &c.groups, &c.objects}) names->erase("");
+  return c;
+}
+
+/// A number per section: equal for equal materials.
+std::vector<Index> material_numbers(const std::vector<io::PolygonSoup::Section>& sections) {
+  std::map<std::string, Index> number;
+  std::vector<Index> of_sections;
+  for (const auto& s : sections)
+    of_sections.push_back(number.try_emplace(s.material, static_cast<Index>(number.size())).first->second);
+  return of_sections;
+}
+
+using Normals = std::vector<std::array<std::int32_t, 3>>;
+
+bool any_normal(const Normals& corners) {
+  return std::any_of(corners.begin(), corners.end(), [](const auto& c) {
+    return std::any_of(c.begin(), c.end(), [](std::int32_t n) { return n >= 0; });
+  });
+}
+
+/// The triangles with three different vertices. `normals`: their indices, if the file has normals.
+void take_triangles(io::PolygonSoup& soup, SurfaceFile& file, Normals& normals) {
+  const io::TriangleSoup triangles = io::triangulate(soup);
+  decltype(soup.corners)().swap(soup.corners);
+  const std::vector<Index> materials = material_numbers(soup.sections);
+  file.input.triangles.reserve(triangles.triangles.size());
   std::size_t repeated = 0, partly = 0;
-  for (std::size_t t = 0; t < file.triangles.triangles.size(); ++t) {
-    const auto& corners = file.triangles.triangles[t];
+  for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
+    const auto& corners = triangles.triangles[t];
     if (repeats_vertex(corners)) {
       ++repeated;
       continue;
     }
     const auto with = std::count_if(corners.begin(), corners.end(), [](const auto& c) { return c.vt >= 0; });
     partly += with == 1 || with == 2;
-    std::array<TexturedTriangles::Corner, 3> triangle;
+    auto& triangle = file.input.triangles.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) triangle[i] = {corners[i].v, with == 3 ? corners[i].vt : -1};
-    file.input.triangles.push_back(triangle);
-    if (!materials.empty()) file.input.labels.push_back(materials[file.triangles.polygon[t]]);
-    kept.triangles.push_back(corners);
-    kept.polygon.push_back(file.triangles.polygon[t]);
+    if (!soup.normals.empty()) normals.push_back({corners[0].vn, corners[1].vn, corners[2].vn});
+    if (soup.face_section.empty()) continue;
+    file.section.push_back(soup.face_section[triangles.polygon[t]]);
+    file.input.labels.push_back(materials[file.section.back()]);
   }
-  file.triangles = std::move(kept);
   add_count(file.warnings, repeated, "triangles name a vertex twice; left out");
   add_count(file.warnings, partly, "triangles have texture coordinates on some corners only; they lose them");
 }
 
 }  // namespace
 
+// Lists of the soup are given back one by one as the triangles take their place: both together would be the
+// largest thing in memory for a while.
 SurfaceFile read_surface(const std::filesystem::path& path) {
-  SurfaceFile file{path, io::read_mesh(path), {}, {}, {}};
-  file.warnings = file.soup.warnings;
-  file.triangles = io::triangulate(file.soup);
-  convert(file);
+  io::PolygonSoup soup = io::read_mesh(path);
+  SurfaceFile file;
+  file.path = path;
+  file.contents = contents(soup);
+  file.warnings = std::move(soup.warnings);
+  file.material_libraries = std::move(soup.material_libraries);
+  Normals normal_corners;
+  take_triangles(soup, file, normal_corners);
+  file.contents.triangles = file.input.triangles.size();
   if (file.input.triangles.empty()) throw InputError(path.string() + ": no triangle is left");
+  file.sections = std::move(soup.sections);
+  if (file.sections.empty()) file.sections.emplace_back();
+  file.input.positions = taken<OpenMesh::Vec3d>(soup.positions);
+  file.input.texcoords = taken<OpenMesh::Vec2d>(soup.texcoords);
+  file.input.colors = taken<OpenMesh::Vec3d>(soup.colors);
+  if (any_normal(normal_corners)) {
+    const auto normals = taken<OpenMesh::Vec3d>(soup.normals);
+    file.input.shading = shading(file.input, normals, normal_corners);
+  }
   return file;
 }
 
-void write_surface(const std::filesystem::path& path, const TexturedSurface& surface, const SurfaceFile& file,
-                   std::vector<std::string>& warnings) {
-  std::vector<Index> source;
-  const TexturedTriangles result = surface.triangles(source);
-  io::PolygonSoup out;
-  for (const auto& p : result.positions) out.positions.push_back({p[0], p[1], p[2]});
-  for (const auto& p : result.texcoords) out.texcoords.push_back({p[0], p[1]});
-  out.sections = file.soup.sections;
-
-  // In the order of the input's faces, so that sections stay together.
-  std::vector<std::size_t> order(result.triangles.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) { return source[x] < source[y]; });
-  for (const std::size_t t : order) {
-    for (const auto& c : result.triangles[t]) out.corners.push_back({c.position, c.texcoord, -1});
-    out.face_begin.push_back(static_cast<std::uint32_t>(out.corners.size()));
-    const std::uint32_t polygon = file.triangles.polygon[source[t]];
-    out.face_section.push_back(file.soup.face_section.empty() ? 0 : file.soup.face_section[polygon]);
-  }
-  if (out.sections.empty()) out.sections.emplace_back();
-  if (!file.soup.normals.empty()) warnings.push_back("normals are left out; viewers compute their own");
-  if (!file.soup.colors.empty()) warnings.push_back("vertex colours are left out");
-  out.material_libraries =
-      io::relocate_material_libraries(file.soup.material_libraries, file.path, path, warnings);
-  io::write_obj(path, out, {.header = {std::string("multimesh ") + version}});
+TexturedSurface take_surface(SurfaceFile& file, const TexturedSurfaceOptions& options) {
+  TexturedSurface surface(file.input, options);
+  file.input = TexturedTriangles();
+  return surface;
 }
 
 }  // namespace multimesh::tools

@@ -13,20 +13,29 @@ Json to_json(const MeshReport& r) {
   return j;
 }
 
+namespace {
+
+Json texture_json(const MeshReport& r) {
+  Json j = to_json(r);
+  j["charts"] = r.components;
+  return j;
+}
+
+Json curves_json(const std::optional<CurveReport>& r) {
+  if (!r) return nullptr;
+  return {{"edges", r->edges}, {"curves", r->curves}, {"ends", r->ends}, {"junctions", r->junctions}};
+}
+
+}  // namespace
+
 Json to_json(const SurfaceReport& r) {
   Json j;
   j["surface"] = to_json(r.surface);
-  j["texture"] = nullptr;
-  j["seams"] = nullptr;
-  if (r.texture) {
-    j["texture"] = to_json(*r.texture);
-    j["texture"]["charts"] = r.texture->components;
-  }
-  if (r.seams)
-    j["seams"] = {{"edges", r.seams->edges},
-                  {"curves", r.seams->curves},
-                  {"ends", r.seams->ends},
-                  {"junctions", r.seams->junctions}};
+  j["texture"] = r.texture ? texture_json(*r.texture) : Json();
+  j["seams"] = curves_json(r.seams);
+  j["features"] = curves_json(r.features);
+  for (const UvSetReport& set : r.more_uv_sets)
+    j["more_uv_sets"].push_back({{"texture", texture_json(set.texture)}, {"seams", curves_json(set.seams)}});
   return j;
 }
 

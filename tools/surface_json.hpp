@@ -10,7 +10,8 @@ namespace multimesh::tools {
 /// Keeps the order of insertion: reports are read by people too.
 using Json = nlohmann::ordered_json;
 
-/// {"surface": .., "texture": .., "seams": ..}; texture and seams are null where there is none.
+/// {"surface": .., "texture": .., "seams": .., "features": ..}; all but the first are null where there is
+/// none. "more_uv_sets", a list of texture and seams, only if there are some.
 Json to_json(const TexturedSurface& surface);
 Json to_json(const SurfaceReport& report);
 Json to_json(const MeshReport& mesh);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <memory>
 
@@ -24,7 +23,7 @@ namespace decimation {
 namespace {
 
 /// Costs that differ by less than this factor count as equal: an edge is not postponed for it.
-const double same_cost = std::getenv("TOL") ? std::atof(std::getenv("TOL")) : 1 + 1e-6;
+constexpr double same_cost = 1.05;
 
 using Counts = std::map<std::string, std::size_t>;
 
@@ -38,6 +37,40 @@ std::vector<RefusalCount> by_frequency(const Counts& counts) {
 std::string name_of(const Refusal& r) {
   return std::string(r.check == Check::invariant ? r.invariant : to_string(r.check));
 }
+
+/// Vertices that the options lock, for the time of a run.
+class VertexLocks {
+ public:
+  VertexLocks(TexturedSurface& surface, const DecimateOptions& options) : surface_(surface) {
+    if (!options.lock_boundary && !options.lock_seams) return;
+    const Mesh& root = surface.tree().mesh(NodeId::root);
+    CurveKinds seams = no_curve;
+    for (std::size_t k = 0; k < surface.textures().size(); ++k) seams |= seam_of(k);
+    for (Index e = 0; e < root.capacity(1); ++e) {
+      if (!root.is_live(1, e)) continue;
+      const Dart d = root.dart_of(1, e);
+      if ((options.lock_boundary && root.is_boundary(d, 1)) ||
+          (options.lock_seams && (surface.curve_kinds(d) & seams)))
+        for (const Dart end : {d, root.switch_dart(d, 0)}) lock(root.vertex(end));
+    }
+  }
+  ~VertexLocks() {
+    for (const Index v : locked_)
+      if (surface_.tree().mesh(NodeId::root).is_live(0, v)) surface_.set_locked(v, false);
+  }
+  VertexLocks(const VertexLocks&) = delete;
+  VertexLocks& operator=(const VertexLocks&) = delete;
+
+ private:
+  void lock(Index v) {
+    if (surface_.tree().mesh(NodeId::root).is_locked(v)) return;
+    surface_.set_locked(v, true);
+    locked_.push_back(v);
+  }
+
+  TexturedSurface& surface_;
+  std::vector<Index> locked_;
+};
 
 class Decimator {
  public:
@@ -74,6 +107,7 @@ class Decimator {
   DecimateResult result_;
   Counts refused_;
 
+  VertexLocks locks_;
   Strata strata_;
   TriangleReader reader_;
   CollapseCost cost_;
@@ -82,6 +116,7 @@ class Decimator {
   bool place_is_held_ = false;
 
   VertexAttribute<Vec3d> positions_;
+  std::optional<VertexAttribute<Vec3d>> colors_;
   std::vector<std::unique_ptr<VertexAttribute<Vec2d>>> texcoords_;
   std::vector<std::unique_ptr<PlacementTest>> tests_;
   std::size_t n_bounds_ = 0;  ///< the first of the tests: those that bound the result
@@ -95,6 +130,7 @@ Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
       root_(surface.tree().mesh(NodeId::root)),
       diagonal_(bounding_box_diagonal(surface.positions())),
       faces_(surface.live_triangles()),
+      locks_(surface, options),
       strata_(surface, options),
       reader_(surface, strata_),
       cost_(surface, options, strata_, reader_),
@@ -116,6 +152,9 @@ void Decimator::add_attributes() {
         [this, k](Operation, const VertexChange& c) { return merged_texcoord(k, c); }));
     operations_.add(*texcoords_.back());
   }
+  if (surface_.colors().empty()) return;
+  colors_.emplace(NodeId::root, surface_.colors());  // as on the edge, at t
+  operations_.add(*colors_);
 }
 
 Vec2d Decimator::merged_texcoord(std::size_t set, const VertexChange& c) const {
@@ -187,8 +226,11 @@ Attempt Decimator::apply(Dart e, double cost) {
   star_.read(e);
   if (const PlacementTest* failed = choose_place(e)) return refuse(failed->name());
   if (plan_.cost > cost * same_cost) return Attempt::postpone(plan_.cost);
+  std::optional<MergingEdges> merging;
+  if (surface_.has_normals()) merging.emplace(root_, e);
   const Outcome outcome = collapse(e);
   if (!outcome) return refuse(name_of(outcome.refusal));
+  if (merging) merging->keep_hardness(surface_);
   collapsed(outcome);
   return outcome;
 }

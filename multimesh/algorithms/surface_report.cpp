@@ -2,6 +2,8 @@
 #include "multimesh/algorithms/surface_report.hpp"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "multimesh/union_find.hpp"
 
@@ -61,38 +63,58 @@ MeshReport report(const Mesh& mesh) {
   return r;
 }
 
-SeamReport report_seams(const TexturedSurface& surface) {
-  SeamReport r;
-  if (!surface.seams() || !surface.texture()) return r;
-  const NodeId seams = *surface.seams();
-  const Mesh& curves = surface.tree().mesh(seams);
+CurveReport report_curves(const TexturedSurface& surface, CurveKinds kinds) {
+  CurveReport r;
+  if (!surface.seams()) return r;
+  const Mesh& curves = surface.tree().mesh(*surface.seams());
   const Mesh& root = surface.tree().mesh(NodeId::root);
-  const Mesh& texture = surface.tree().mesh(*surface.texture());
-  Pieces pieces(curves.capacity(0));
-  std::vector<Index> degree(root.capacity(0), 0);
-  DartBuffer copies;
+  UnionFind pieces(curves.capacity(1));
+  std::vector<std::array<Index, 2>> at;  // vertex of the surface, edge
   for (Index e = 0; e < curves.capacity(1); ++e) {
-    if (!curves.is_live(1, e)) continue;
-    const Dart own = curves.dart_of(1, e), d = surface.tree().to_parent(seams, own);
-    copies.clear();
-    surface.tree().to_child(*surface.texture(), d, 1, copies);
-    if (copies.empty() || !texture.is_boundary(copies[0], 1)) continue;  // a border of another kind
-    ++r.edges;
-    pieces.join(curves.vertex(own), curves.vertex(curves.switch_dart(own, 0)));
-    ++degree[root.vertex(d)];
-    ++degree[root.vertex(root.switch_dart(d, 0))];
+    if (!curves.is_live(1, e) || (surface.curve_kinds_of(e) & kinds) == 0) continue;
+    const Dart d = surface.tree().to_parent(*surface.seams(), curves.dart_of(1, e));
+    at.push_back({root.vertex(d), e});
+    at.push_back({root.vertex(root.switch_dart(d, 0)), e});
   }
-  r.curves = pieces.count();
-  r.ends = static_cast<std::size_t>(std::count(degree.begin(), degree.end(), 1));
-  r.junctions =
-      static_cast<std::size_t>(std::count_if(degree.begin(), degree.end(), [](Index n) { return n > 2; }));
+  r.edges = at.size() / 2;
+  r.curves = r.edges;
+  std::sort(at.begin(), at.end());
+  for (std::size_t i = 0, j; i < at.size(); i = j) {
+    for (j = i; j < at.size() && at[j][0] == at[i][0];) ++j;
+    r.ends += j - i == 1;
+    r.junctions += j - i > 2;
+    if (j - i != 2 || pieces.find(at[i][1]) == pieces.find(at[i + 1][1])) continue;
+    pieces.join(at[i][1], at[i + 1][1]);
+    --r.curves;
+  }
   return r;
 }
 
+SeamReport report_seams(const TexturedSurface& surface, std::size_t set) {
+  return report_curves(surface, seam_of(set) | texture_border_of(set));
+}
+
+CurveReport report_features(const TexturedSurface& surface) {
+  return report_curves(surface, sharp_curve);
+}
+
+namespace {
+
+std::optional<CurveReport> if_any(const CurveReport& r) {
+  return r.edges > 0 ? std::optional(r) : std::nullopt;
+}
+
+}  // namespace
+
 SurfaceReport report(const TexturedSurface& surface) {
-  SurfaceReport r{report(surface.tree().mesh(NodeId::root)), {}, {}};
+  SurfaceReport r;
+  r.surface = report(surface.tree().mesh(NodeId::root));
   if (surface.texture()) r.texture = report(surface.tree().mesh(*surface.texture()));
-  if (surface.seams()) r.seams = report_seams(surface);
+  r.seams = if_any(report_seams(surface));
+  r.features = if_any(report_features(surface));
+  for (std::size_t set = 1; set < surface.textures().size(); ++set)
+    r.more_uv_sets.push_back(
+        {report(surface.tree().mesh(surface.textures()[set])), if_any(report_seams(surface, set))});
   return r;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "multimesh/algorithms/textured_surface.hpp"
 
@@ -21,21 +22,36 @@ struct MeshReport {
 
 MeshReport report(const Mesh& mesh);
 
-/// The graph of the seams: edges of the surface's interior at which the texture is cut open.
-struct SeamReport {
+/// The graph of some of a surface's curves, by vertices of the surface.
+struct CurveReport {
   std::size_t edges = 0;
   std::size_t curves = 0;     ///< chains and loops between the points below
-  std::size_t ends = 0;       ///< vertices with one seam edge
+  std::size_t ends = 0;       ///< vertices with one such edge
   std::size_t junctions = 0;  ///< vertices with three or more
 };
+using SeamReport = CurveReport;
 
-SeamReport report_seams(const TexturedSurface& surface);
+/// The edges with at least one of the kinds. Other kinds that begin or end on a curve do not divide it.
+CurveReport report_curves(const TexturedSurface& surface, CurveKinds kinds);
+/// The seams of a set of texture coordinates: edges of the surface's interior at which it is cut open or
+/// ends.
+SeamReport report_seams(const TexturedSurface& surface, std::size_t set = 0);
+/// Sharp edges, if the surface was made with a feature angle.
+CurveReport report_features(const TexturedSurface& surface);
+
+/// A texture besides the first one.
+struct UvSetReport {
+  MeshReport texture;
+  std::optional<SeamReport> seams;
+};
 
 /// All meshes of a textured surface; none where it has none.
 struct SurfaceReport {
   MeshReport surface;
-  std::optional<MeshReport> texture;  ///< its components are the charts
-  std::optional<SeamReport> seams;
+  std::optional<MeshReport> texture;  ///< of set 0; its components are the charts
+  std::optional<SeamReport> seams;    ///< of set 0
+  std::optional<CurveReport> features;
+  std::vector<UvSetReport> more_uv_sets;
 };
 
 SurfaceReport report(const TexturedSurface& surface);

@@ -9,9 +9,10 @@ Strata::Strata(const TexturedSurface& surface, const DecimateOptions& options)
     : surface_(surface),
       tree_(surface.tree()),
       root_(tree_.mesh(NodeId::root)),
-      boundary_weight_(options.curve_weight),
+      curve_weight_(options.curve_weight),
       seam_weight_(options.seam_weight),
       ranks_(root_.capacity(0), Rank::free) {
+  for (std::size_t k = 0; k < surface.textures().size(); ++k) seam_kinds_ |= seam_of(k);
   rank_curves();
   rank_fixed_points();
 }
@@ -23,10 +24,10 @@ bool Strata::is_curve(Dart e) const {
 }
 
 double Strata::weight(Dart e) const {
-  if (root_.is_boundary(e, 1)) return boundary_weight_;
-  const auto seams = surface_.seams();
-  if (!seams || tree_.facet_over(*seams, e) == no_index) return 0;
-  return surface_.is_seam_only(e) ? seam_weight_ : boundary_weight_;
+  if (root_.is_boundary(e, 1)) return curve_weight_;
+  const CurveKinds kinds = surface_.curve_kinds(e);
+  if (kinds == no_curve) return 0;
+  return kinds & ~seam_kinds_ ? curve_weight_ : seam_weight_;
 }
 
 void Strata::rank_curves() {

@@ -34,7 +34,8 @@ class Strata {
   const TexturedSurface& surface_;
   const MultiMesh& tree_;
   const Mesh& root_;
-  double boundary_weight_, seam_weight_;
+  double curve_weight_, seam_weight_;
+  CurveKinds seam_kinds_ = no_curve;
   std::vector<Rank> ranks_;
 };
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/textured_triangles.hpp"
+
+#include <string>
+
+#include "multimesh/error.hpp"
+
+namespace multimesh {
+
+namespace {
+
+/// A list with an entry per triangle or position, or perhaps with none.
+void check_length(std::size_t have, std::size_t want, const char* what, const char* of) {
+  if (have != 0 && have != want)
+    throw InputError(std::to_string(have) + " " + what + " for " + std::to_string(want) + " " + of +
+                     "; give one each, or none");
+}
+
+void check_lengths(const TexturedTriangles& input) {
+  const std::size_t triangles = input.triangles.size();
+  if (triangles == 0) throw InputError("the surface has no triangles");
+  check_length(input.labels.size(), triangles, "labels", "triangles");
+  check_length(input.shading.size(), triangles, "entries of shading", "triangles");
+  check_length(input.colors.size(), input.positions.size(), "colours", "positions");
+  for (const auto& set : input.more_uv_sets)
+    if (set.corners.size() != triangles)
+      throw InputError("a further set of texture coordinates has the corners of " +
+                       std::to_string(set.corners.size()) + " triangles; the surface has " +
+                       std::to_string(triangles));
+}
+
+void check_texcoords(const TexturedTriangles& input, std::size_t set, std::size_t t) {
+  int without = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int32_t vt = input.texcoord(set, t, i);
+    if (vt >= 0 && static_cast<std::size_t>(vt) >= input.texcoords_of(set).size())
+      throw InputError("triangle " + std::to_string(t) + ": no texture coordinate " + std::to_string(vt));
+    without += vt < 0;
+  }
+  if (without != 0 && without != 3)
+    throw InputError("triangle " + std::to_string(t) +
+                     " has texture coordinates on some corners only; give all three or none");
+}
+
+}  // namespace
+
+void check(const TexturedTriangles& input) {
+  check_lengths(input);
+  for (std::size_t t = 0; t < input.triangles.size(); ++t) {
+    for (const auto& c : input.triangles[t])
+      if (c.position < 0 || static_cast<std::size_t>(c.position) >= input.positions.size())
+        throw InputError("triangle " + std::to_string(t) + ": no position " + std::to_string(c.position));
+    for (std::size_t set = 0; set < input.uv_sets(); ++set) check_texcoords(input, set, t);
+  }
+}
+
+}  // namespace multimesh

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tools/decimate_arguments.hpp"
+#include "tools/surface_json.hpp"
+
+namespace multimesh::tools {
+
+const char* to_string(DecimateResult::Stop stop);
+/// Whether every target number of faces that was given was met.
+bool target_reached(const DecimateOptions& o, const DecimateResult& r);
+
+/// What was asked and what was done; docs/decimation.md has the fields.
+Json decimation_json(const DecimateArguments& a, const DecimateOptions& o, const DecimateResult& r);
+
+}  // namespace multimesh::tools

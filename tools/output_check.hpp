@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace multimesh::tools {
+
+/// What can be known to go wrong with an output before the work is done: a path that cannot be written, or
+/// that is one of the files in `others`. \throw InputError
+void check_output_path(const std::filesystem::path& output, const std::vector<std::filesystem::path>& others);
+
+}  // namespace multimesh::tools
