@@ -13,6 +13,8 @@ namespace {
 
 /// The dart of a parent facet that begins with the given vertices.
 Dart dart_beginning_with(const Mesh& mesh, Index facet, std::span<const Index> vertices) {
+  if (vertices.size() == static_cast<std::size_t>(mesh.dimension()) + 1)
+    return dart_with(mesh, facet, vertices.data());
   const Dart any = mesh.dart_of(mesh.dimension(), facet);
   std::array<Index, 4> have{};
   for (std::uint8_t p = 0; p < (mesh.dimension() == 3 ? 24 : mesh.dimension() == 2 ? 6 : 2); ++p) {
