@@ -13,6 +13,8 @@ namespace {
 
 /// The dart of a parent facet that begins with the given vertices.
 Dart dart_beginning_with(const Mesh& mesh, Index facet, std::span<const Index> vertices) {
+  if (vertices.size() == static_cast<std::size_t>(mesh.dimension()) + 1)
+    return dart_with(mesh, facet, vertices.data());
   const Dart any = mesh.dart_of(mesh.dimension(), facet);
   std::array<Index, 4> have{};
   for (std::uint8_t p = 0; p < (mesh.dimension() == 3 ? 24 : mesh.dimension() == 2 ? 6 : 2); ++p) {
@@ -25,7 +27,7 @@ Dart dart_beginning_with(const Mesh& mesh, Index facet, std::span<const Index> v
 
 }  // namespace
 
-NodeId add_child_by_facets(MultiMesh& tree, NodeId parent, const FacetList& child, const FacetList& over,
+NodeId add_child_by_facets(MultiMesh& tree, NodeId parent, FacetList child, FacetList over,
                            std::span<const Index> parent_facets, const MeshFactory& make) {
   const Mesh& above = tree.mesh(parent);
   if (over.size() != child.size() || parent_facets.size() != child.size() ||
@@ -45,6 +47,8 @@ NodeId add_child_by_facets(MultiMesh& tree, NodeId parent, const FacetList& chil
       throw InputError("child facet " + std::to_string(f) + ": its vertices are not those of parent facet " +
                        std::to_string(parent_facets[f]));
   }
+  child = FacetList();
+  over = FacetList();
   return tree.add_child(parent, std::move(mesh), anchors);
 }
 

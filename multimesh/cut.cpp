@@ -6,25 +6,18 @@
 #include <string>
 
 #include "multimesh/error.hpp"
-#include "multimesh/union_find.hpp"
+#include "multimesh/pair_numbers.hpp"
 
 namespace multimesh {
 
 namespace {
 
-/// One side of a facet. In a triangle, side i joins corners i and i+1.
-struct Side {
-  std::uint64_t key;  // as key_of gives it
-  Index facet;
-  std::uint8_t corner;
-  friend bool operator<(const Side& x, const Side& y) {
-    return x.key != y.key ? x.key < y.key : x.facet < y.facet;
-  }
-};
-
-/// Two vertices in any order, as one word: comparing arrays calls memcmp.
-std::uint64_t key_of(Index v, Index w) {
-  return std::uint64_t{std::min(v, w)} << 32 | std::max(v, w);
+/// Side c of a triangle joins its corners c and next(c).
+Index next(Index c) {
+  return c % 3 == 2 ? c - 2 : c + 1;
+}
+Index previous(Index c) {
+  return c % 3 == 0 ? c + 2 : c - 1;
 }
 
 class Cutter {
@@ -36,9 +29,12 @@ class Cutter {
     refuse_degenerate();
     // Each round takes at least one more facet out of its neighbourhood.
     do {
-      join();
+      partner_.assign(in_.corners.size(), no_index);
+      reversed_.assign(in_.size(), false);
+      in_.dimension == 1 ? join_edges() : join_triangles();
+      number();
     } while (set_apart());
-    return number();
+    return finish();
   }
 
  private:
@@ -57,15 +53,6 @@ class Cutter {
     }
   }
 
-  Index corner(Index f, std::size_t i) const { return static_cast<Index>(f * n_ + i % n_); }
-  Index vertex(Index f, std::size_t i) const { return in_.corners[corner(f, i)]; }
-
-  void join() {
-    classes_ = UnionFind(in_.corners.size());
-    reversed_.assign(in_.size(), false);
-    in_.dimension == 1 ? join_edges() : join_triangles();
-  }
-
   void join_edges() {
     std::vector<std::array<Index, 2>> at;  // vertex, corner
     for (Index c = 0; c < in_.corners.size(); ++c)
@@ -73,52 +60,60 @@ class Cutter {
     std::sort(at.begin(), at.end());
     for (std::size_t i = 0, j; i < at.size(); i = j) {
       for (j = i; j < at.size() && at[j][0] == at[i][0];) ++j;
-      if (j - i == 2 && !(options_.ends_at && options_.ends_at(at[i][0])))
-        classes_.join(at[i][1], at[i + 1][1]);
+      if (j - i != 2 || (options_.ends_at && options_.ends_at(at[i][0]))) continue;
+      partner_[at[i][1]] = at[i + 1][1];
+      partner_[at[i + 1][1]] = at[i][1];
     }
   }
 
   void join_triangles() {
     neighbours();
-    orient();
-    for (Index f = 0; f < in_.size(); ++f)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Across x = across_[corner(f, i)];
-        if (x.facet == no_index || agrees(f, x) == false) continue;
-        classes_.join(corner(f, i), corner(x.facet, x.corner + (x.same_direction ? 0U : 1U)));
-        classes_.join(corner(f, i + 1), corner(x.facet, x.corner + (x.same_direction ? 1U : 0U)));
-      }
-  }
-
-  struct Across {
-    Index facet = no_index;
-    std::uint8_t corner = 0;
-    bool same_direction = false;  // both run along the side in the same direction, as given
-  };
-  bool agrees(Index f, const Across& x) const {
-    return (reversed_[f] != reversed_[x.facet]) == x.same_direction;
-  }
-
-  void neighbours() {
-    std::vector<Side> sides;
-    sides.reserve(in_.corners.size());
-    for (Index f = 0; f < in_.size(); ++f)
-      if (!alone_[f])
-        for (std::uint8_t i = 0; i < 3; ++i) {
-          const Index v = vertex(f, i), w = vertex(f, i + 1U);
-          sides.push_back({key_of(v, w), f, i});
-        }
-    std::sort(sides.begin(), sides.end());
-    across_.assign(in_.corners.size(), {});
-    for (std::size_t i = 0, j; i < sides.size(); i = j) {
-      for (j = i; j < sides.size() && sides[j].key == sides[i].key;) ++j;
-      if (j - i != 2) continue;
-      const Side &s = sides[i], &t = sides[i + 1];
-      const bool same = vertex(s.facet, s.corner) == vertex(t.facet, t.corner);
-      across_[corner(s.facet, s.corner)] = {t.facet, t.corner, same};
-      across_[corner(t.facet, t.corner)] = {s.facet, s.corner, same};
+    if (!all_agree_) {
+      orient();
+      part_where_no_orientation_agrees();
     }
   }
+
+  /// Edges have about this many numbers if most have two sides.
+  std::size_t expected_edges() const { return in_.corners.size() / 2 + in_.corners.size() / 16; }
+
+  void neighbours() {
+    all_joined_ = all_agree_ = true;
+    PairNumbers edges(in_.vertices, in_.corners);
+    edges.reserve(expected_edges());
+    std::vector<Index> first;  // per edge its first side, or no_index if it has three or more
+    first.reserve(expected_edges());
+    for (Index c = 0; c < in_.corners.size(); ++c) {
+      if (alone_[c / 3]) continue;
+      const Index e = edges(in_.corners[c], in_.corners[next(c)]);
+      if (e == first.size()) {
+        first.push_back(c);
+      } else {
+        add_side(first[e], c);
+      }
+    }
+  }
+
+  void add_side(Index& first, Index c) {
+    if (first == no_index) return;
+    if (partner_[first] == no_index) {
+      partner_[first] = c;
+      partner_[c] = first;
+      all_agree_ &= !same_direction(first, c);
+    } else {
+      part(first);
+      first = no_index;
+    }
+  }
+
+  void part(Index c) {
+    partner_[partner_[c]] = no_index;
+    partner_[c] = no_index;
+    all_joined_ = false;
+  }
+
+  /// Whether the two sides of an edge run along it in the same direction, as given.
+  bool same_direction(Index c, Index d) const { return in_.corners[c] == in_.corners[d]; }
 
   // Breadth first, so that a clash of orientation lies far from the first facet of its component.
   void orient() {
@@ -129,74 +124,150 @@ class Cutter {
       seen[start] = true;
       queue.assign(1, start);
       for (std::size_t q = 0; q < queue.size(); ++q)
-        for (std::size_t i = 0; i < 3; ++i) {
-          const Across x = across_[corner(queue[q], i)];
-          if (x.facet == no_index || seen[x.facet]) continue;
-          seen[x.facet] = true;
-          reversed_[x.facet] = reversed_[queue[q]] != x.same_direction;
-          queue.push_back(x.facet);
+        for (Index c = 3 * queue[q]; c < 3 * queue[q] + 3; ++c) {
+          const Index d = partner_[c];
+          if (d == no_index || seen[d / 3]) continue;
+          seen[d / 3] = true;
+          reversed_[d / 3] = reversed_[c / 3] != same_direction(c, d);
+          queue.push_back(d / 3);
         }
     }
   }
 
-  // After joining, sides with the same classes at their ends are one edge. That is right for two that run
+  void part_where_no_orientation_agrees() {
+    for (Index c = 0; c < partner_.size(); ++c) {
+      const Index d = partner_[c];
+      if (d != no_index && (reversed_[c / 3] != reversed_[d / 3]) != same_direction(c, d)) part(c);
+    }
+  }
+
+  // Corners that are joined become one vertex. Vertices are numbered by their first corners.
+  void number() {
+    number_.assign(in_.corners.size(), no_index);
+    source_.clear();
+    source_.reserve(std::min<std::size_t>(in_.vertices, in_.corners.size()));
+    for (Index c = 0; c < in_.corners.size(); ++c) {
+      if (number_[c] != no_index) continue;
+      const Index v = static_cast<Index>(source_.size());
+      source_.push_back(in_.corners[c]);
+      number_[c] = v;
+      if (in_.dimension == 2) {
+        number_fan(c, c, v);
+        number_fan(c, previous(c), v);
+      } else if (partner_[c] != no_index) {
+        number_[partner_[c]] = v;
+      }
+    }
+  }
+
+  // From corner c on across the side s of its facet, to the end of the fan or once around.
+  void number_fan(Index c, Index s, Index v) {
+    while (partner_[s] != no_index) {
+      const Index across = partner_[s];
+      c = (c == s) == same_direction(s, across) ? across : next(across);
+      if (number_[c] != no_index) return;
+      number_[c] = v;
+      s = c == across ? previous(c) : c;
+    }
+  }
+
+  // After joining, sides with the same vertices at their ends are one edge. That is right for two that run
   // against each other; facets with all vertices in common, and any other sides, must come apart.
   bool set_apart() {
-    bool changed = false;
-    const auto take_out = [&](Index f) {
-      if (!alone_[f]) alone_[f] = changed = true;
-    };
-    std::vector<std::pair<std::array<Index, 3>, Index>> facets;
-    for (Index f = 0; f < in_.size(); ++f) {
-      std::array<Index, 3> key{no_index, no_index, no_index};
-      for (std::size_t i = 0; i < n_; ++i) key[i] = classes_.find(corner(f, i));
-      std::sort(key.begin(), key.end());
-      facets.emplace_back(key, f);
-    }
-    std::sort(facets.begin(), facets.end());
-    for (std::size_t i = 1; i < facets.size(); ++i)
-      if (facets[i].first == facets[i - 1].first) take_out(facets[i].second);
-    if (in_.dimension == 1 || changed) return changed;
+    if (in_.dimension == 2 && all_joined_) return set_pillows_apart();
+    if (set_repeated_facets_apart()) return true;
+    return in_.dimension == 2 && set_sides_apart();
+  }
 
-    std::vector<Side> sides;
-    for (Index f = 0; f < in_.size(); ++f)
-      for (std::uint8_t i = 0; i < 3; ++i) {
-        const Index v = classes_.find(corner(f, i)), w = classes_.find(corner(f, i + 1U));
-        const bool forward = (v < w) != reversed_[f];
-        sides.push_back({key_of(v, w), f, static_cast<std::uint8_t>(forward)});
-      }
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t i = 0, j; i < sides.size(); i = j) {
-      for (j = i; j < sides.size() && sides[j].key == sides[i].key;) ++j;
-      if (j - i == 1 || (j - i == 2 && sides[i].corner != sides[i + 1].corner)) continue;
-      for (std::size_t m = i + 1; m < j; ++m) take_out(sides[m].facet);
+  bool take_out(Index f) {
+    if (alone_[f]) return false;
+    alone_[f] = true;
+    return true;
+  }
+
+  // Where all sides are joined two by two, this is all that can be wrong: a triangle and its reverse.
+  bool set_pillows_apart() {
+    bool changed = false;
+    for (Index f = 0; f < in_.size(); ++f) {
+      const Index one = partner_[3 * f], other = partner_[3 * f + 1];
+      if (one != no_index && other != no_index && one / 3 == other / 3 && one / 3 < f) changed |= take_out(f);
     }
     return changed;
   }
 
-  Cut number() {
-    Cut out{{in_.dimension, 0, std::vector<Index>(in_.corners.size())}, {}, reversed_};
-    std::vector<Index> number(in_.corners.size(), no_index);
-    for (Index f = 0; f < in_.size(); ++f)
-      for (std::size_t i = 0; i < n_; ++i) {
-        Index& id = number[classes_.find(corner(f, i))];
-        if (id == no_index) {
-          id = out.facets.vertices++;
-          out.source.push_back(vertex(f, i));
-        }
-        const std::size_t position = reversed_[f] && i < 2 ? 1 - i : i;
-        out.facets.corners[f * n_ + position] = id;
+  // A triangle is named by the edge of its two least vertices, and the third.
+  bool set_repeated_facets_apart() {
+    bool changed = false;
+    const auto take_out_known = [&](PairNumbers& pairs, Index f, Index v, Index w) {
+      const Index known = pairs.size();
+      if (pairs(v, w) < known) changed |= take_out(f);
+    };
+    PairNumbers edges(source_.size(), number_);
+    if (in_.dimension == 1) {
+      for (Index f = 0; f < in_.size(); ++f) take_out_known(edges, f, number_[2 * f], number_[2 * f + 1]);
+      return changed;
+    }
+    std::vector<std::array<Index, 2>> names(in_.size());
+    for (Index f = 0; f < in_.size(); ++f) {
+      std::array<Index, 3> v{number_[3 * f], number_[3 * f + 1], number_[3 * f + 2]};
+      std::sort(v.begin(), v.end());
+      names[f] = {edges(v[0], v[1]), v[2]};
+    }
+    PairNumbers triangles(edges.size() + source_.size());
+    for (auto& [edge, vertex] : names) {
+      vertex += edges.size();
+      triangles.expect(edge);
+      triangles.expect(vertex);
+    }
+    for (Index f = 0; f < in_.size(); ++f) take_out_known(triangles, f, names[f][0], names[f][1]);
+    return changed;
+  }
+
+  bool set_sides_apart() {
+    struct Edge {
+      Index first;  // facet
+      bool forward, proper;
+      int sides;
+    };
+    PairNumbers numbers(source_.size(), number_);
+    std::vector<Edge> edges;
+    for (Index c = 0; c < number_.size(); ++c) {
+      const Index v = number_[c], w = number_[next(c)];
+      const bool forward = (v < w) != reversed_[c / 3];
+      const Index e = numbers(v, w);
+      if (e == edges.size()) {
+        edges.push_back({c / 3, forward, true, 1});
+      } else {
+        edges[e].proper = ++edges[e].sides == 2 && edges[e].forward != forward;
       }
-    return out;
+    }
+    bool changed = false;
+    for (Index c = 0; c < number_.size(); ++c) {
+      const Edge& e = edges[numbers(number_[c], number_[next(c)])];
+      if (!e.proper && e.first != c / 3) changed |= take_out(c / 3);
+    }
+    return changed;
+  }
+
+  Cut finish() {
+    for (std::size_t f = 0; f < in_.size(); ++f)
+      if (reversed_[f]) std::swap(number_[f * n_], number_[f * n_ + 1]);
+    return {{in_.dimension, static_cast<Index>(source_.size()), std::move(number_)},
+            std::move(source_),
+            std::move(reversed_)};
   }
 
   const FacetList& in_;
   const CutOptions& options_;
   std::size_t n_;
-  std::vector<bool> alone_;  // facets that are joined to nothing
-  UnionFind classes_{0};     // of corners that become one vertex
-  std::vector<Across> across_;
-  std::vector<bool> reversed_;
+  std::vector<bool> alone_;     // facets that are joined to nothing
+  std::vector<Index> partner_;  // of an edge's corner, the other one at its vertex; of a triangle's side, the
+                                // other one at its edge; no_index where nothing is joined
+  std::vector<bool> reversed_;  // triangles
+  bool all_joined_ = true;      // all edges of triangles have one or two sides, and those two are joined
+  bool all_agree_ = true;       // and run against each other, as given
+  std::vector<Index> number_;   // corners: their new vertex
+  std::vector<Index> source_;   // new vertices
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <unordered_set>
 #include <utility>
 
 #include "multimesh/faces.hpp"
@@ -71,24 +70,29 @@ void MultiMesh::require_dart(NodeId n, Dart d) const {
 
 namespace {
 
+[[noreturn]] void refuse_anchor(Index facet, const std::string& why) {
+  throw InputError("anchor of child facet " + std::to_string(facet) + why);
+}
+
 /// One anchor per live child facet, both darts alive, no parent simplex used twice.
 void check_anchors(const Mesh& parent, const Mesh& child, std::span<const Anchor> anchors) {
   const int k = child.dimension();
   if (k > parent.dimension())
     throw InputError("a child of dimension " + std::to_string(k) + " does not fit in a parent of dimension " +
                      std::to_string(parent.dimension()));
-  std::unordered_set<Index> used;
+  std::vector<bool> used(parent.capacity(k), false);
   for (Index f = 0; f < child.capacity(k); ++f) {
     if (!child.is_live(k, f)) continue;
-    const std::string who = "anchor of child facet " + std::to_string(f);
-    if (f >= anchors.size()) throw InputError(who + " is missing: give one per facet of the child");
+    if (f >= anchors.size()) refuse_anchor(f, " is missing: give one per facet of the child");
     const Anchor a = anchors[f];
     if (!child.is_dart(a.own) || child.facet(a.own) != f)
-      throw InputError(who + ": its own dart does not belong to that facet");
-    if (!parent.is_dart(a.parent)) throw InputError(who + ": its parent dart is not alive");
-    if (!used.insert(parent.simplex(a.parent, k)).second)
-      throw InputError(who + ": another facet of the child lies over the same parent simplex " +
-                       std::to_string(parent.simplex(a.parent, k)));
+      refuse_anchor(f, ": its own dart does not belong to that facet");
+    if (!parent.is_dart(a.parent)) refuse_anchor(f, ": its parent dart is not alive");
+    const Index over = parent.simplex(a.parent, k);
+    if (used[over])
+      refuse_anchor(f,
+                    ": another facet of the child lies over the same parent simplex " + std::to_string(over));
+    used[over] = true;
   }
 }
 
@@ -129,13 +133,18 @@ NodeId MultiMesh::add_child(NodeId parent, std::unique_ptr<Mesh> child, std::spa
   nodes_[index(parent)].children.push_back(id);
   remember_order();
   Mesh& below = mesh(id);
+  // Nothing of this is ever undone. The journals are emptied on the way, so that they stay small.
+  const auto forget = [&] {
+    below.forget();
+    above.forget();
+  };
   for (Index f = 0; f < below.capacity(k); ++f) {
+    if (f % 4096 == 0) forget();
     if (!below.is_live(k, f)) continue;
     below.set_anchor(f, anchors[f]);
     set_link_of(id, anchors[f].parent, f);
   }
-  below.forget();
-  above.forget();
+  forget();
   return id;
 }
 

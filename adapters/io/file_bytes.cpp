@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -15,20 +16,6 @@
 
 namespace multimesh::io {
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  int get() const { return fd_; }
-
- private:
-  int fd_;
-};
 
 [[noreturn]] void fail_open(const std::string& name, int error) {
   if (error == ENOENT) fail_file(name, "the file does not exist; check the path");
@@ -60,19 +47,70 @@ char* allocate(std::size_t size) {
 
 }  // namespace
 
-FileBytes::FileBytes(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  const std::size_t expected = regular_size(name);
-  const Descriptor file(::open(name.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) fail_open(name, errno);
-  data_.reset(allocate(expected));
-  while (size_ < expected) {
-    const ssize_t got = ::read(file.get(), data_.get() + size_, expected - size_);
+InputFile::InputFile(const std::filesystem::path& path)
+    : name_(path.string()),
+      left_(regular_size(name_)),
+      descriptor_(::open(name_.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (descriptor_ < 0) fail_open(name_, errno);
+}
+
+InputFile::~InputFile() {
+  ::close(descriptor_);
+}
+
+std::size_t InputFile::read(char* to, std::size_t size) {
+  std::size_t done = 0;
+  size = std::min(size, left_);
+  while (done < size) {
+    const ssize_t got = ::read(descriptor_, to + done, size - done);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail_file(name, std::string("the file cannot be read: ") + std::strerror(errno));
+    if (got < 0) fail_file(name_, std::string("the file cannot be read: ") + std::strerror(errno));
     if (got == 0) break;
-    size_ += static_cast<std::size_t>(got);
+    done += static_cast<std::size_t>(got);
   }
+  left_ = done < size ? 0 : left_ - done;
+  return done;
+}
+
+FileBytes::FileBytes(const std::filesystem::path& path) {
+  InputFile file(path);
+  const std::size_t expected = file.left();
+  data_.reset(allocate(expected));
+  size_ = file.read(data_.get(), expected);
+}
+
+std::string_view TextPieces::next() {
+  while (true) {
+    fill();
+    // What is short of `least` may be cut short by a long line that begins in it.
+    const std::size_t size = file_.left() == 0 ? end_ - begin_ : complete_lines();
+    if (size >= least_ || file_.left() == 0) {
+      const std::string_view piece(buffer_.data() + begin_, size);
+      begin_ += size;
+      return piece;
+    }
+    buffer_.resize(2 * buffer_.size());
+  }
+}
+
+/// Moves what is left to the front, and reads as much as there is room for.
+void TextPieces::fill() {
+  if (buffer_.empty()) buffer_.resize(2 * least_);
+  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  end_ -= begin_;
+  begin_ = 0;
+  end_ += file_.read(buffer_.data() + end_, buffer_.size() - end_);
+}
+
+/// The size of the lines that are complete, and do not go on in the rest.
+std::size_t TextPieces::complete_lines() const {
+  std::string_view text(buffer_.data() + begin_, end_ - begin_);
+  while (!text.empty()) {
+    text = text.substr(0, text.rfind('\n') + 1);  // 0 if there is none
+    if (!text.ends_with("\\\n") && !text.ends_with("\\\r\n")) return text.size();
+    text.remove_suffix(1);
+  }
+  return 0;
 }
 
 }  // namespace multimesh::io

@@ -21,6 +21,12 @@ class LineSource {
         end_of_line_(text.find('\n') == std::string_view::npos ? '\r' : '\n'),
         continuation_(continuation) {}
 
+  /// Goes on with a text that follows the one before. \pre that one was taken up to its end, a line end
+  void go_on(std::string_view text) {
+    text_ = text;
+    at_ = 0;
+  }
+
   /// False at the end. The line is valid until the next call.
   bool next(std::string_view& line) {
     if (at_ >= text_.size()) return false;
@@ -34,7 +40,7 @@ class LineSource {
   /// Of the line that next() returned, counted from 1; of its first part when lines were joined.
   std::size_t number() const { return number_; }
 
-  /// Bytes taken from the text, line ends included.
+  /// Bytes taken from the current text, line ends included.
   std::size_t offset() const { return at_; }
 
  private:

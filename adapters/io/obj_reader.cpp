@@ -21,14 +21,20 @@ namespace {
 
 class ObjParser {
  public:
-  ObjParser(std::string_view text, const std::filesystem::path& path)
+  /// Reads the first text, of a file of `size` bytes.
+  ObjParser(std::string_view text, std::size_t size, const std::filesystem::path& path)
       : lines_(text, LineSource::Continuation::joined), directory_(path.parent_path()), file_(path.string()) {
-    reserve(text.size());
+    reserve(size);
+    statements();
   }
 
-  PolygonSoup parse() {
-    for (std::string_view line; lines_.next(line);) statement(line);
-    finish();
+  void go_on(std::string_view text) {
+    lines_.go_on(text);
+    statements();
+  }
+
+  PolygonSoup finish() {
+    check();
     return std::move(soup_);
   }
 
@@ -41,6 +47,10 @@ class ObjParser {
     soup_.face_begin.reserve(bytes / 72);
     soup_.face_line.reserve(bytes / 72);
     soup_.face_section.reserve(bytes / 72);
+  }
+
+  void statements() {
+    for (std::string_view line; lines_.next(line);) statement(line);
   }
 
   void statement(std::string_view line) {
@@ -189,7 +199,7 @@ class ObjParser {
     section_known_ = true;
   }
 
-  void finish() {
+  void check() {
     if (soup_.face_count() == 0) fail_without_faces();
     if (!soup_.colors.empty()) {
       soup_.colors.resize(soup_.positions.size(), {1, 1, 1});
@@ -233,17 +243,29 @@ class ObjParser {
   std::size_t first_unknown_line_ = 0;
 };
 
+/// Refuses what is no OBJ file by its first bytes. \return the text without a byte order mark
+std::string_view checked_beginning(std::string_view text, const std::string& file) {
+  check_obj_content(text, file);
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
 }  // namespace
 
 PolygonSoup read_obj(const std::filesystem::path& path, const ReadOptions& options) {
-  return parse_obj(FileBytes(path).view(), path, options);
+  const std::string file = path.string();
+  TextPieces pieces(path);
+  ObjParser parser(checked_beginning(pieces.next(), file), pieces.size(), path);
+  for (std::string_view piece; !(piece = pieces.next()).empty();) parser.go_on(piece);
+  PolygonSoup soup = parser.finish();
+  check_faces(soup, file, 1, options);
+  return soup;
 }
 
 PolygonSoup parse_obj(std::string_view text, const std::filesystem::path& path, const ReadOptions& options) {
-  check_obj_content(text, path.string());
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  PolygonSoup soup = ObjParser(text, path).parse();
-  check_faces(soup, path.string(), 1, options);
+  const std::string file = path.string();
+  PolygonSoup soup = ObjParser(checked_beginning(text, file), text.size(), path).finish();
+  check_faces(soup, file, 1, options);
   return soup;
 }
 

@@ -20,6 +20,13 @@ TriangleMesh::TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : Con
   own(std::move(om));
 }
 
+TriangleMesh::TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om, Checked) : Connectivity(2, *om) {
+#ifndef NDEBUG
+  require_consistent();
+#endif
+  own(std::move(om));
+}
+
 void TriangleMesh::require_triangles() const {
   for (const auto f : om_.all_faces())
     if (!om_.status(f).deleted() && om_.valence(f) != 3)

@@ -18,6 +18,9 @@ class TriangleMesh final : public Connectivity {
   /// Keeps a mesh. \throw as the other constructor; that no two simplices have the same vertices is not
   /// checked
   explicit TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om);
+  /// Keeps a mesh. \pre check() would find nothing
+  struct Checked {};
+  TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om, Checked);
 
   static OpenMesh::HalfedgeHandle halfedge(Dart d) { return handle(half(d)); }
   /// The dart at the from-vertex of a halfedge that has a face.
