@@ -6,6 +6,11 @@ set -euo pipefail
 packages=(cmake ninja-build g++ git ccache pkg-config
   libopenmesh-dev libembree-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
 
+# HTML reports. NodeSource's nodejs brings an npm of its own, which Debian's npm conflicts with.
+command -v npm >/dev/null || packages+=(nodejs npm)
+# Their tests. Elsewhere, and on Ubuntu, where it is a snap, they are skipped without a Chromium.
+grep -qx 'ID=debian' /etc/os-release 2>/dev/null && packages+=(chromium fonts-dejavu-core)
+
 if ! command -v dpkg-query >/dev/null; then
   echo "setup: not a Debian system; provide the equivalents of: ${packages[*]}" >&2
   exit 0
@@ -34,7 +39,7 @@ apt() {
     -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@" </dev/null >>"$log" 2>&1
 }
 
-echo "setup: installing ${missing[*]} (1.2 GB of disk, a minute or more)"
+echo "setup: installing ${missing[*]} (up to 2 GB of disk, some minutes)"
 apt update || true # a broken foreign repository need not matter: the installation decides
 apt install -y --no-install-recommends "${missing[@]}" || {
   cat "$log" >&2

@@ -28,7 +28,7 @@ class Numbers {
 
 /// One block of what `fill` adds.
 template <class Fill>
-void write_numbers(io::AtomicFile& file, const std::string& id, const Fill& fill) {
+void write_filled(io::AtomicFile& file, const std::string& id, const Fill& fill) {
   Numbers numbers;
   fill(numbers);
   write_block(file, id, numbers.text());
@@ -60,33 +60,36 @@ void write_block(io::AtomicFile& file, const std::string& id, std::string_view t
   file.write("</script>\n");
 }
 
-void write_blocks(io::AtomicFile& file, const std::string& name, const HtmlMesh& mesh, const HtmlFrame& frame,
-                  const std::vector<float>& error) {
+void write_numbers(io::AtomicFile& file, const std::string& id, const std::vector<double>& values) {
+  write_filled(file, id, [&](Numbers& n) {
+    for (const double x : values) n.add(x);
+  });
+}
+
+void write_blocks(io::AtomicFile& file, const std::string& name, const HtmlMesh& mesh,
+                  const HtmlFrame& frame) {
   const TexturedTriangles& surface = mesh.surface;
   const bool textured = has_texcoords(surface);
-  write_numbers(file, name + "-positions", [&](Numbers& n) {
+  write_filled(file, name + "-positions", [&](Numbers& n) {
     for (const auto& p : surface.positions)
       for (const double x : frame(p)) n.add(x);
   });
-  write_numbers(file, name + "-texcoords", [&](Numbers& n) {
+  write_filled(file, name + "-texcoords", [&](Numbers& n) {
     for (const auto& p : surface.texcoords)
       for (const double x : p) n.add(x);
   });
-  write_numbers(file, name + "-position", [&](Numbers& n) {
+  write_filled(file, name + "-position", [&](Numbers& n) {
     for (const auto& t : surface.triangles)
       for (const auto& corner : t) n.add(static_cast<std::uint32_t>(corner.position));
   });
-  write_numbers(file, name + "-texcoord", [&](Numbers& n) {
+  write_filled(file, name + "-texcoord", [&](Numbers& n) {
     for (const auto& t : surface.triangles)
       for (const auto& corner : t)
         if (textured) n.add(static_cast<std::uint32_t>(corner.texcoord));  // none: 2^32 - 1
   });
-  write_numbers(file, name + "-material", [&](Numbers& n) {
+  write_filled(file, name + "-material", [&](Numbers& n) {
     for (const Index m : mesh.material)
       if (mesh.materials.size() > 1) n.add(m);
-  });
-  write_numbers(file, name + "-error", [&](Numbers& n) {
-    for (const float e : error) n.add(e);
   });
 }
 

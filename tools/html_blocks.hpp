@@ -25,9 +25,11 @@ HtmlFrame common_frame(const TexturedTriangles& before, const TexturedTriangles&
 /// A <script> of text that is no script, which the page finds by its id. \pre no `<` in the text.
 void write_block(io::AtomicFile& file, const std::string& id, std::string_view text);
 
-/// The arrays of a mesh as blocks `NAME-positions` and so on (tools/viewer/src/page_data.js): numbers of four
-/// bytes, little-endian, in base64.
-void write_blocks(io::AtomicFile& file, const std::string& name, const HtmlMesh& mesh, const HtmlFrame& frame,
-                  const std::vector<float>& error = {});
+/// Numbers of four bytes, little-endian, in base64, as a block.
+void write_numbers(io::AtomicFile& file, const std::string& id, const std::vector<double>& values);
+
+/// The arrays of a mesh as such blocks, `NAME-positions` and so on (tools/viewer/src/page_data.js).
+void write_blocks(io::AtomicFile& file, const std::string& name, const HtmlMesh& mesh,
+                  const HtmlFrame& frame);
 
 }  // namespace multimesh::tools

@@ -38,11 +38,13 @@ void check(const HtmlReport& report) {
       throw UsageError("HTML report: a triangle has a material that is not in the list");
   }
   const std::size_t positions = report.after.surface.positions.size();
-  if (!report.error.empty() && report.error.size() != positions)
-    throw UsageError("HTML report: " + std::to_string(report.error.size()) + " errors for " +
-                     std::to_string(positions) + " positions");
-  if (!std::ranges::all_of(report.error, [](float e) { return std::isfinite(e) && e >= 0; }))
-    throw UsageError("HTML report: an error is negative or not a number");
+  for (const HtmlError& error : report.errors) {
+    if (error.values.size() != positions)
+      throw UsageError("HTML report: " + std::to_string(error.values.size()) + " values of " + error.name +
+                       " for " + std::to_string(positions) + " positions");
+    if (!std::ranges::all_of(error.values, [](double e) { return std::isfinite(e) && e >= 0; }))
+      throw UsageError("HTML report: a value of " + error.name + " is negative or not a number");
+  }
 }
 
 /// Which meshes the page holds; a note says which it does not.
@@ -101,13 +103,20 @@ void write_page(io::AtomicFile& file, const HtmlReport& report, const ViewerBund
   write_bundle(file, bundle.style);
   file.write("</style>\n</head>\n<body>\n");
   write_bundle(file, bundle.page);
+  Json errors = Json::array();
+  for (const HtmlError& error : report.errors) errors.push_back(error.name);
   const Json all = {{"title", report.title},       {"generator", std::string("multimesh ") + version},
                     {"meshes", std::move(meshes)}, {"textures", textures.names()},
-                    {"notes", std::move(notes)},   {"numbers", report.numbers}};
+                    {"notes", std::move(notes)},   {"errors", std::move(errors)},
+                    {"numbers", report.numbers}};
   file.write("<script type=\"application/json\" id=\"report\">" + json_for_html(all) + "</script>\n");
   const HtmlFrame frame = common_frame(report.before.surface, report.after.surface);
   if (shown.before) write_blocks(file, "before", report.before, frame);
-  if (shown.after) write_blocks(file, "after", report.after, frame, report.error);
+  if (shown.after) {
+    write_blocks(file, "after", report.after, frame);
+    for (std::size_t i = 0; i < report.errors.size(); ++i)
+      write_numbers(file, "after-error-" + std::to_string(i), report.errors[i].values);
+  }
   for (std::size_t i = 0; i < textures.uris().size(); ++i)
     write_block(file, "texture-" + std::to_string(i), textures.uris()[i]);
   file.write("<script>");

@@ -17,12 +17,18 @@ constexpr std::size_t max_html_triangles = 1'000'000;
 /// Textures of a page, all files together; those beyond are left out, and the page says so.
 constexpr std::size_t max_html_texture_bytes = std::size_t{64} << 20U;
 
+/// An error of the mesh after, shown by colours.
+struct HtmlError {
+  std::string name;  ///< `Distance`, for instance
+  /// Per position of `after`, at least 0 and relative to the bounding-box diagonal (0.01 = 1 %).
+  std::vector<double> values;
+};
+
 /// Two meshes side by side, and numbers.
 struct HtmlReport {
   std::string title;
   HtmlMesh before, after;
-  /// Per position of `after`, at least 0 and relative to the bounding-box diagonal (0.01 = 1 %); or empty.
-  std::vector<float> error = {};
+  std::vector<HtmlError> errors = {};
   /// Shown as tables. Known fields: `before` and `after`, as to_json makes them of a surface; `comparison`;
   /// `seconds`, `stopped_by`, `warnings`. All others are shown by their names.
   Json numbers = Json::object();

@@ -83,6 +83,9 @@ struct TriangleTree::Data {
   template <class Visit>
   void traverse(const Point& p, double radius, Visit visit) const;
 
+  template <class Choice>
+  std::optional<Nearby> nearest(const Point& p, double max_distance, Choice choose) const;
+
   static void bounds(const RTCBoundsFunctionArguments* arguments);
 };
 
@@ -163,21 +166,31 @@ const std::vector<Triangle>& TriangleTree::triangles() const {
 }
 
 // The order of the visits is Embree's. It does not matter: the least pair of distance and facet is kept.
-std::optional<Nearby> TriangleTree::nearest(const Point& p, double max_distance) const {
+template <class Choice>
+std::optional<Nearby> TriangleTree::Data::nearest(const Point& p, double max_distance, Choice choose) const {
   Nearby best;
   best.squared_distance = max_distance * max_distance;
   double radius = max_distance;
-  data_->traverse(p, max_distance, [&](Index facet) {
-    const PointOnTriangle q = closest_point(p, data_->triangles[facet]);
-    if (q.squared_distance < best.squared_distance ||
-        (q.squared_distance == best.squared_distance && facet < best.facet)) {
-      best = {facet, q.barycentric, q.squared_distance};
-      radius = std::sqrt(q.squared_distance);
+  traverse(p, max_distance, [&](Index facet) {
+    const std::optional<PointOnTriangle> q = choose(facet);
+    if (q && (q->squared_distance < best.squared_distance ||
+              (q->squared_distance == best.squared_distance && facet < best.facet))) {
+      best = {facet, q->barycentric, q->squared_distance};
+      radius = std::sqrt(q->squared_distance);
     }
     return radius;
   });
   if (best.facet == no_index) return std::nullopt;
   return best;
+}
+
+std::optional<Nearby> TriangleTree::nearest(const Point& p, double max_distance) const {
+  return data_->nearest(
+      p, max_distance, [&](Index facet) { return std::optional(closest_point(p, data_->triangles[facet])); });
+}
+
+std::optional<Nearby> TriangleTree::nearest_chosen(const Point& p, const Choose& choose) const {
+  return data_->nearest(p, std::numeric_limits<double>::infinity(), std::cref(choose));
 }
 
 void TriangleTree::within(const Point& p, double radius, std::vector<Nearby>& found) const {

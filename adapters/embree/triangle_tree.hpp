@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -36,6 +37,11 @@ class TriangleTree {
   /// distance to any of the triangles for instance, makes it faster. \throw UsageError if p is not finite
   std::optional<Nearby> nearest(const Point& p,
                                 double max_distance = std::numeric_limits<double>::infinity()) const;
+
+  /// As nearest, but of each triangle that point counts which `choose` gives, with its squared distance to p;
+  /// none: the triangle is left out. Triangles that are too far are not asked for.
+  using Choose = std::function<std::optional<PointOnTriangle>(Index facet)>;
+  std::optional<Nearby> nearest_chosen(const Point& p, const Choose& choose) const;
 
   /// All triangles within `radius`, inclusive, by ascending facet. `found` is overwritten; keep it, and
   /// nothing is allocated in the steady state. \throw UsageError if p is not finite

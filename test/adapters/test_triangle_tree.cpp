@@ -187,6 +187,27 @@ TEST(TriangleTree, TiesGoToTheLowestFacet) {
   EXPECT_EQ(found.size(), 100U) << "the radius is inclusive";
 }
 
+TEST(TriangleTree, NearestOfChosenPoints) {
+  // Of every third triangle its first corner counts, of the others nothing.
+  const auto triangles = soup(900, 22, 0.2, {0, 0, 0}, {1, 1, 1});
+  const TriangleTree tree(triangles);
+  for (const Point& p : points(100, 23, {-1, -1, -1}, {2, 2, 2})) {
+    const auto choose = [&](Index f) -> std::optional<PointOnTriangle> {
+      if (f % 3 != 0) return std::nullopt;
+      const double d = distance(p, triangles[f][0]);
+      return PointOnTriangle{{1, 0, 0}, d * d};
+    };
+    Nearby best{no_index, {}, infinity};
+    for (Index f = 0; f < triangles.size(); ++f)
+      if (const auto q = choose(f); q && q->squared_distance < best.squared_distance)
+        best = {f, q->barycentric, q->squared_distance};
+    const auto found = tree.nearest_chosen(p, choose);
+    ASSERT_TRUE(found);
+    expect_equal(*found, best);
+  }
+  EXPECT_FALSE(tree.nearest_chosen({0, 0, 0}, [](Index) { return std::nullopt; }));
+}
+
 TEST(TriangleTree, WithoutTrianglesNothingIsNear) {
   const TriangleTree tree(std::vector<Triangle>{});
   EXPECT_FALSE(tree.nearest({0, 0, 0}));

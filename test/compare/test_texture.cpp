@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "multimesh/algorithms/comparison/texture_map.hpp"
 #include "test/compare/plane.hpp"
 
 namespace multimesh::test {
@@ -80,6 +81,33 @@ TEST(CompareTexture, OfOverlappingChartsTheNearerPlaceCounts) {
   const auto c = compare_surfaces(stacked, stacked, few());
   EXPECT_LT(c.texture->deviation.max, tiny);
   EXPECT_LT(c.texture->crack.max, 0.5 / diagonal + tiny);
+}
+
+TEST(CompareTexture, ThePlacesDoNotDependOnWhereTheyAreLookedForFirst) {
+  using comparison::TextureMap;
+  for (const Vec2d& right : {Vec2d(2, 0), Vec2d(-0.5, 0), Vec2d(-0.3, 0.1)}) {
+    const auto surface = two_charts({0, 1, 0, 1, 20, 20}, right);
+    const TextureMap by_texture(surface, TextureMap::Search::texture),
+        by_space(surface, TextureMap::Search::space);
+    std::vector<spatial::Nearby> buffer;
+    for (int i = 0; i < 50; ++i)
+      for (int j = 0; j < 50; ++j) {
+        const Vec2d uv(-0.3 + 0.033 * i, -0.2 + 0.029 * j);
+        const Vec3d near(0.02 * j, 0.02 * i, 0.1);
+        const auto a = by_texture(uv, near, buffer), b = by_space(uv, near, buffer);
+        EXPECT_EQ(a.triangle, b.triangle);
+        EXPECT_EQ(a.position, b.position);
+        EXPECT_NEAR(a.uv_distance, b.uv_distance, by_space.touching());
+      }
+  }
+}
+
+TEST(CompareTexture, AllTrianglesInOnePointOfTheTexture) {
+  auto dummy = plane({0, 1, 0, 1, 60, 60});
+  for (auto& p : dummy.texcoords) p = {0, 0};
+  const auto c = compare_surfaces(dummy, dummy, few());
+  EXPECT_EQ(c.original.zero_area, 7200U);
+  EXPECT_LT(c.texture->deviation.max, 0.02 / diagonal) << "a corner of the own triangle is never far";
 }
 
 TEST(CompareTexture, ColoursOfASmallShift) {

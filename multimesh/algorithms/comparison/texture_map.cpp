@@ -2,10 +2,18 @@
 #include "multimesh/algorithms/comparison/texture_map.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "multimesh/algorithms/bounding_box.hpp"
 
 namespace multimesh::comparison {
+
+using OpenMesh::Vec2d;
+using OpenMesh::Vec3d;
+using spatial::Nearby;
+using spatial::PointOnTriangle;
+using spatial::Triangle;
+using spatial::TriangleTree;
 
 namespace {
 
@@ -16,46 +24,83 @@ std::vector<Index> textured_triangles(const TexturedTriangles& surface) {
   return textured;
 }
 
-std::vector<spatial::Triangle> all_in_texture(const TexturedTriangles& surface,
-                                              const std::vector<Index>& triangles) {
-  std::vector<spatial::Triangle> all;
-  all.reserve(triangles.size());
-  for (const Index t : triangles) all.push_back(in_texture(surface, surface.triangles[t]));
-  return all;
+/// A tree over some triangles, as `corners` (in_space or in_texture) gives them.
+TriangleTree tree_over(const TexturedTriangles& surface, const std::vector<Index>& which,
+                       Triangle (*corners)(const TexturedTriangles&, const Corners&)) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(which.size());
+  for (const Index t : which) triangles.push_back(corners(surface, surface.triangles[t]));
+  return TriangleTree(std::move(triangles));
 }
 
-double uv_diagonal(const std::vector<spatial::Triangle>& triangles) {
-  std::vector<OpenMesh::Vec3d> points;
+double bounding_diagonal(const std::vector<Triangle>& triangles) {
+  std::vector<Vec3d> points;
   points.reserve(3 * triangles.size());
-  for (const auto& t : triangles)
+  for (const Triangle& t : triangles)
     for (const auto& p : t) points.push_back(vec(p));
   return bounding_box_diagonal(points);
 }
 
 }  // namespace
 
-TextureMap::TextureMap(const TexturedTriangles& surface)
-    : surface_(surface), textured_(textured_triangles(surface)), tree_(all_in_texture(surface, textured_)) {
-  diagonal_ = uv_diagonal(tree_.triangles());
+TextureMap::TextureMap(const TexturedTriangles& surface, Search search)
+    : surface_(surface),
+      textured_(textured_triangles(surface)),
+      in_texture_(tree_over(surface, textured_, in_texture)) {
+  diagonal_ = bounding_diagonal(in_texture_.triangles());
+  if (search == Search::space || (search == Search::automatic && is_stacked()))
+    in_space_ = tree_over(surface, textured_, in_space);
 }
 
-TextureMap::Place TextureMap::operator()(const OpenMesh::Vec2d& uv, const OpenMesh::Vec3d& near,
-                                         std::vector<spatial::Nearby>& buffer) const {
-  const spatial::Point p = to_point(uv);
-  const double outside = std::sqrt(tree_.nearest(p)->squared_distance);
-  tree_.within(p, outside + touching(), buffer);
+// Some models have thousands of triangles at one place of the texture, or all of them: looked for there, each
+// place would be asked for all. Some triangles tell.
+bool TextureMap::is_stacked() const {
+  constexpr std::size_t asked = 32, many = 100;
+  const std::size_t n = textured_.size(), step = std::max<std::size_t>(1, n / asked);
+  std::size_t found = 0, times = 0;
+  std::vector<Nearby> buffer;
+  for (std::size_t i = step / 2; i < n; i += step, ++times) {
+    in_texture_.within(spatial::at(in_texture_.triangles()[i], {1.0 / 3, 1.0 / 3, 1.0 / 3}), touching(),
+                       buffer);
+    found += buffer.size();
+  }
+  return found > many * times;
+}
+
+TextureMap::Place TextureMap::place(const Nearby& found, double uv_distance) const {
+  const Index t = textured_[found.facet];
+  return {vec(spatial::at(in_space(surface_, surface_.triangles[t]), found.barycentric)), t, uv_distance};
+}
+
+TextureMap::Place TextureMap::search_texture(const spatial::Point& uv, const Vec3d& near,
+                                             std::vector<Nearby>& buffer) const {
+  const double outside = std::sqrt(in_texture_.nearest(uv)->squared_distance);
+  in_texture_.within(uv, outside <= touching() ? touching() : outside + touching(), buffer);
   Place best;
   double least = std::numeric_limits<double>::infinity();
-  for (const spatial::Nearby& candidate : buffer) {
-    const Index t = textured_[candidate.facet];
-    const OpenMesh::Vec3d x =
-        vec(spatial::at(in_space(surface_, surface_.triangles[t]), candidate.barycentric));
-    if (const double d = (x - near).sqrnorm(); d < least) {
+  for (const Nearby& candidate : buffer) {
+    const Place found = place(candidate, outside);
+    if (const double d = (found.position - near).sqrnorm(); d < least) {
       least = d;
-      best = {x, t, outside};
+      best = found;
     }
   }
   return best;
+}
+
+TextureMap::Place TextureMap::operator()(const Vec2d& uv, const Vec3d& near,
+                                         std::vector<Nearby>& buffer) const {
+  const spatial::Point p = to_point(uv);
+  if (!in_space_) return search_texture(p, near, buffer);
+  const double limit = touching() * touching();
+  const auto choose = [&](Index facet) -> std::optional<PointOnTriangle> {
+    const PointOnTriangle q = spatial::closest_point(p, in_texture_.triangles()[facet]);
+    if (q.squared_distance > limit) return std::nullopt;
+    const Vec3d x = vec(spatial::at(in_space_->triangles()[facet], q.barycentric));
+    return PointOnTriangle{q.barycentric, (x - near).sqrnorm()};
+  };
+  if (const auto found = in_space_->nearest_chosen(to_point(near), choose)) return place(*found, 0);
+  return search_texture(p, near, buffer);
 }
 
 }  // namespace multimesh::comparison

@@ -10,13 +10,16 @@ namespace multimesh::comparison {
 /// Keeps a reference to the surface. Queries may be asked from many threads.
 class TextureMap {
  public:
+  /// Where to look for places first: in the texture, the faster way if not many triangles share one place of
+  /// it; or in space. It does not change what is found.
+  enum class Search { automatic, texture, space };
   /// \pre some triangle is textured
-  explicit TextureMap(const TexturedTriangles& surface);
+  explicit TextureMap(const TexturedTriangles& surface, Search search = Search::automatic);
 
   struct Place {
     OpenMesh::Vec3d position;
     Index triangle = no_index;  ///< of the surface
-    double uv_distance = 0;     ///< from the point asked for to the texture; 0 inside
+    double uv_distance = 0;     ///< from the point asked for to the texture, roughly if below `touching`
   };
   /// X(uv). Outside of the texture its nearest point counts. Where charts overlap, or lie closer than
   /// `touching`, that one of the places that is nearest to `near`. `buffer` is working memory.
@@ -28,10 +31,16 @@ class TextureMap {
   double rounding() const { return 1e-6 * diagonal_; }  ///< in UV: what files of six digits leave open
 
  private:
+  bool is_stacked() const;
+  Place place(const spatial::Nearby& found, double uv_distance) const;
+  Place search_texture(const spatial::Point& uv, const OpenMesh::Vec3d& near,
+                       std::vector<spatial::Nearby>& buffer) const;
+
   const TexturedTriangles& surface_;
-  std::vector<Index> textured_;  // the triangles in the tree
+  std::vector<Index> textured_;  // the triangles in the trees
   double diagonal_ = 0;
-  spatial::TriangleTree tree_;
+  spatial::TriangleTree in_texture_;
+  std::optional<spatial::TriangleTree> in_space_;  // if it is asked first
 };
 
 }  // namespace multimesh::comparison

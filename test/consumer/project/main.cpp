@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a project that uses all of our libraries writes: core, openmesh, io and algorithms.
+// What a project that uses all of our libraries writes: core, openmesh, io, algorithms, spatial and compare.
 #include <cstdio>
 #include <exception>
 
 #include "adapters/io/obj_reader.hpp"
 #include "adapters/openmesh/connectivity.hpp"
+#include "multimesh/algorithms/compare.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/validate.hpp"
 #include "multimesh/version.hpp"
@@ -30,7 +31,8 @@ int main() try {
   const auto& root = dynamic_cast<const openmesh::Connectivity&>(surface.tree().mesh(NodeId::root));
   std::printf("multimesh %s: %zu faces -> %zu of %zu in OpenMesh's arrays\n", version, result.faces_before,
               result.faces_after, root.openmesh().n_faces());
-  return validate(surface.tree()).empty() && result.faces_before == 4 ? 0 : 1;
+  const SurfaceComparison comparison = compare_surfaces(input, input, {.samples = 100});
+  return validate(surface.tree()).empty() && result.faces_before == 4 && comparison.hausdorff < 1e-12 ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A checker pattern with a name on each square: shows stretch, turns and mirror images of a parametrization.
 
-const squares = 8;
+const squares = 16;
 
-export function checkerCanvas(size = 1024) {
+export function checkerCanvas(size = 2048) {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = size;
   const context = canvas.getContext('2d');
@@ -15,7 +15,7 @@ export function checkerCanvas(size = 1024) {
     for (let column = 0; column < squares; ++column) {
       const hue = (360 * column) / squares;
       const light = (row + column) % 2 === 0;
-      context.fillStyle = `hsl(${hue} ${light ? '35% 86%' : `45% ${38 + 3 * row}%`})`;
+      context.fillStyle = `hsl(${hue} ${light ? '35% 86%' : `45% ${38 + 1.5 * row}%`})`;
       context.fillRect(column * step, row * step, step, step);
       context.fillStyle = light ? 'rgb(40 44 60 / 0.75)' : 'rgb(255 255 255 / 0.85)';
       // Rows from below, as v counts.

@@ -74,8 +74,18 @@ function sortByMaterial({ position, texcoord, material, materials }) {
   return [order, runs];
 }
 
-/** {geometry, runs}: group i of the geometry is runs[i]. `scale`: error at the end of the colour map. */
-export function surfaceGeometry(mesh, scale) {
+/** Places of errors on the colour map, as texture coordinates per vertex. `scale`: the error at its end. */
+function errorPlaces(values, scale, position, corner) {
+  const places = new Float32Array(2 * values.length).fill(0.5);
+  values.forEach((error, i) => (places[2 * i] = Math.min(1, error / scale)));
+  return new BufferAttribute(gather(places, 2, position, corner), 2);
+}
+
+/**
+ * {geometry, runs, errors}: group i of the geometry is runs[i]; errors are attributes for the colour map, one for
+ * each error of the mesh. `scales`: as of legend.js, one for each error.
+ */
+export function surfaceGeometry(mesh, scales) {
   const [vertex, corner] = joinCorners(mesh);
   const [order, runs] = sortByMaterial(mesh);
   const index = new Uint32Array(vertex.length);
@@ -87,24 +97,22 @@ export function surfaceGeometry(mesh, scale) {
   set('position', gather(mesh.positions, 3, mesh.position, corner), 3);
   set('normal', gather(normalsByPosition(mesh), 3, mesh.position, corner), 3);
   if (mesh.texcoord.length > 0) set('uv', gather(mesh.texcoords, 2, mesh.texcoord, corner), 2);
-  if (mesh.error.length > 0) {
-    const places = new Float32Array(2 * mesh.error.length).fill(0.5);
-    mesh.error.forEach((e, i) => (places[2 * i] = Math.min(1, e / scale)));
-    set('uv1', gather(places, 2, mesh.position, corner), 2);
-  }
   runs.forEach((run, i) => geometry.addGroup(3 * run.begin, 3 * run.count, i));
-  return { geometry, runs };
+  const errors = mesh.errors.map(({ values }, i) => errorPlaces(values, scales[i].scale, mesh.position, corner));
+  return { geometry, runs, errors };
 }
 
-/** The edges for which `wanted(edge)` holds, as line segments. */
-export function edgeGeometry(mesh, edges, wanted) {
-  const index = [];
+/** The ends of the edges for which wanted(edge) holds: six coordinates for each. */
+export function segments(mesh, edges, wanted) {
+  let count = 0;
+  for (let e = 0; e < edges.count; ++e) count += wanted(e) ? 1 : 0;
+  const ends = new Float32Array(6 * count);
+  let at = 0;
   for (let e = 0; e < edges.count; ++e) {
+    if (!wanted(e)) continue;
     const h = edges.first[e];
-    if (wanted(e)) index.push(mesh.position[h], mesh.position[next(h)]);
+    for (const p of [mesh.position[h], mesh.position[next(h)]])
+      for (let k = 0; k < 3; ++k) ends[at++] = mesh.positions[3 * p + k];
   }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
-  geometry.setIndex(new BufferAttribute(new Uint32Array(index), 1));
-  return geometry;
+  return ends;
 }

@@ -35,8 +35,8 @@ function fillCaptions(page) {
   }
 }
 
-function fillNumbers(page, largest) {
-  byId('figures').append(...keyFigures(page, largest));
+function fillNumbers(page, scales) {
+  byId('figures').append(...keyFigures(page, scales));
   byId('numbers').append(...numberTables(page.numbers));
 }
 
@@ -48,18 +48,18 @@ function fillNotes(notes) {
 async function main() {
   const page = readPage();
   const notes = [...page.notes, ...(page.numbers.warnings ?? []).map(String)];
-  const scale = page.after ? errorScale(page.after.error) : null;
+  const scales = (page.after?.errors ?? []).map(errorScale);
   byId('title').textContent = page.title;
   byId('generator').textContent = page.generator;
   fillCaptions(page);
-  fillNumbers(page, scale?.largest ?? null);
+  fillNumbers(page, scales);
   fillNotes(notes);
 
   const meshes = readMeshes(page);
   const images = await loadImages(page.textures, notes);
   const atlas = new AtlasCard(meshes, images);
   try {
-    new SurfaceCard(meshes, images, scale).start();
+    new SurfaceCard(meshes, images, scales).start();
   } catch (error) {
     notes.push(`No 3D views: ${error.message}`);
   }

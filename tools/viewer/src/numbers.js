@@ -87,8 +87,8 @@ function pairTile(name, before, after) {
   return tile(name, `${formatNumber(before)} → ${formatNumber(after)}`, change(before, after));
 }
 
-/** The figures to be seen first. `largest`: error relative to the diagonal, or null. */
-export function keyFigures(page, largest) {
+/** The figures to be seen first. `scales`: of the errors, see legend.js. */
+export function keyFigures(page, scales) {
   const { before, after, seconds, stopped_by: stop } = page.numbers;
   const triangles = (name) => page.meshes[name]?.triangles;
   return [
@@ -96,7 +96,7 @@ export function keyFigures(page, largest) {
     pairTile('Vertices', before?.surface?.vertices, after?.surface?.vertices),
     pairTile('Charts', before?.texture?.charts, after?.texture?.charts),
     pairTile('Seam edges', before?.seams?.edges, after?.seams?.edges),
-    largest === null ? null : tile('Largest error', formatPercent(largest), 'of the box diagonal'),
+    ...scales.map(({ name, largest }) => tile(`Largest ${name.toLowerCase()}`, formatPercent(largest), 'of the diagonal, at vertices')),
     typeof seconds === 'number' ? tile('Time', `${formatNumber(Number(seconds.toPrecision(3)))} s`) : null,
     typeof stop === 'string' ? tile('Stopped by', stop) : null,
   ].filter(Boolean);

@@ -34,14 +34,23 @@ function readMesh(name, header) {
     position: numbers(`${name}-position`, Uint32Array), // per corner
     texcoord: numbers(`${name}-texcoord`, Uint32Array), // per corner; empty: no texture coordinates
     material: numbers(`${name}-material`, Uint32Array), // per triangle; empty: all of the first material
-    error: numbers(`${name}-error`, Float32Array), // per position, or empty
   };
 }
 
-/** {title, notes, numbers, textures: [{name, uri}], before, after}; a mesh that was left out is null. */
+/**
+ * {title, notes, numbers, textures: [{name, uri}], before, after}; a mesh that was left out is null. The mesh after
+ * has errors: [{name, values: per position}], that before has none.
+ */
 export function readPage() {
   const report = JSON.parse(text('report'));
   const mesh = (name) => (report.meshes[name]?.included ? readMesh(name, report.meshes[name]) : null);
   const textures = report.textures.map((texture, i) => ({ ...texture, uri: text(`texture-${i}`) }));
-  return { ...report, textures, before: mesh('before'), after: mesh('after') };
+  const errors = report.errors.map((name, i) => ({ name, values: numbers(`after-error-${i}`, Float32Array) }));
+  const [before, after] = [mesh('before'), mesh('after')];
+  return {
+    ...report,
+    textures,
+    before: before && { ...before, errors: [] },
+    after: after && { ...after, errors },
+  };
 }

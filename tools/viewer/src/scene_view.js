@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One mesh with its light, its lines, and the part of the page that it is drawn into.
-import { DirectionalLight, HemisphereLight, LineBasicMaterial, LineSegments, Mesh, Scene } from 'three';
-import { edgeGeometry, surfaceGeometry } from './geometry.js';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DirectionalLight,
+  HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  Scene,
+} from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { segments, surfaceGeometry } from './geometry.js';
 
 export class SceneView {
-  /** `edges` and `seam` as of edges.js. */
-  constructor({ mesh, pane, edges, seam, errorScale, materials }) {
+  /** `edges` and `seam` as of edges.js, `scales` of the errors as of legend.js. */
+  constructor({ mesh, pane, edges, seam, scales, materials }) {
     this.mesh = mesh;
     this.pane = pane;
     this.edges = edges;
@@ -14,35 +26,48 @@ export class SceneView {
     this.scene = new Scene();
     this.light = new DirectionalLight(0xffffff, 1.9);
     this.scene.add(new HemisphereLight(0xffffff, 0x8d8f99, 1.7), this.light);
-    const { geometry, runs } = surfaceGeometry(mesh, errorScale);
+    const { geometry, runs, errors } = surfaceGeometry(mesh, scales);
     this.runs = runs;
+    this.errors = errors;
     this.surface = new Mesh(geometry);
     this.scene.add(this.surface);
     this.byMode = new Map();
     this.lines = new Map();
   }
 
-  setMode(mode) {
+  /** A mode of surface_materials.js; `error`: which, in that mode. */
+  setMode(mode, error) {
+    if (mode === 'error' && this.errors.length > 0) this.surface.geometry.setAttribute('uv1', this.errors[error]);
     if (!this.byMode.has(mode)) this.byMode.set(mode, this.materials.of(this.mesh, this.runs, mode));
     this.surface.material = this.byMode.get(mode);
   }
 
   showWireframe(show) {
-    this.show('wireframe', show, () => true, { color: 0x10131c, transparent: true, opacity: 0.55 });
+    this.show('wireframe', show, () => {
+      const geometry = new BufferGeometry();
+      const ends = segments(this.mesh, this.edges, () => true);
+      geometry.setAttribute('position', new BufferAttribute(ends, 3));
+      return new LineSegments(geometry, new LineBasicMaterial({ color: 0x10131c, transparent: true, opacity: 0.55 }));
+    });
   }
 
   showSeams(show, color) {
-    this.show('seams', show, (e) => this.seam[e] === 1, { color });
+    this.show('seams', show, () => {
+      // Wider than one pixel, which WebGL's own lines cannot be.
+      const geometry = new LineSegmentsGeometry();
+      geometry.setPositions(segments(this.mesh, this.edges, (e) => this.seam[e] === 1));
+      const lines = new LineSegments2(geometry, new LineMaterial({ linewidth: 2.5 }));
+      lines.renderOrder = 1;
+      return lines;
+    });
+    this.lines.get('seams')?.material.color.set(color);
   }
 
   /** Lines are made when they are first asked for. */
-  show(name, visible, wanted, appearance) {
+  show(name, visible, make) {
     if (visible && !this.lines.has(name)) {
-      const geometry = edgeGeometry(this.mesh, this.edges, wanted);
-      const lines = new LineSegments(geometry, new LineBasicMaterial(appearance));
-      lines.renderOrder = name === 'seams' ? 2 : 1;
-      this.lines.set(name, lines);
-      this.scene.add(lines);
+      this.lines.set(name, make());
+      this.scene.add(this.lines.get(name));
     }
     if (this.lines.has(name)) this.lines.get(name).visible = visible;
   }

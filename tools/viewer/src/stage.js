@@ -17,6 +17,7 @@ export class Stage {
     this.camera = new PerspectiveCamera(35, 1, 0.005, 100);
     this.controls = new OrbitControls(this.camera, element);
     this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.2;
     this.controls.minDistance = 0.02;
     this.controls.maxDistance = 20;
     this.controls.addEventListener('change', () => this.redraw());
@@ -37,6 +38,9 @@ export class Stage {
   reset() {
     const half = MathUtils.degToRad(this.camera.fov / 2);
     const narrow = Math.min(1, this.camera.aspect);
+    this.controls.enableDamping = false; // ends a turn that still goes on
+    this.controls.update();
+    this.controls.enableDamping = true;
     this.controls.target.set(0, 0, 0);
     this.camera.position.setFromSpherical(start).multiplyScalar((1.06 * this.radius) / Math.sin(half) / narrow);
     this.controls.update();

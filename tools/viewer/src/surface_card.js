@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The 3D views with their controls.
-import { byId } from './element.js';
+import { byId, element } from './element.js';
 import { fillLegend } from './legend.js';
 import { SceneView } from './scene_view.js';
 import { Stage } from './stage.js';
-import { SurfaceMaterials, modes } from './surface_materials.js';
+import { SurfaceMaterials } from './surface_materials.js';
 import { onThemeChange, themeColor } from './theme.js';
 
 /** Of all vertices, around the origin. */
@@ -17,8 +17,9 @@ function radius(meshes) {
 }
 
 export class SurfaceCard {
-  /** `scale`: of the errors, see legend.js; null: there are none. \throw Error where there is no WebGL */
-  constructor(meshes, images, scale) {
+  /** `scales`: of the errors, see legend.js. \throw Error where there is no WebGL */
+  constructor(meshes, images, scales) {
+    this.scales = scales;
     this.form = byId('toolbar');
     this.stage = new Stage(byId('stage'), byId('canvas'), radius(meshes));
     this.materials = new SurfaceMaterials(images, this.stage.anisotropy);
@@ -26,12 +27,11 @@ export class SurfaceCard {
       this.stage.add(new SceneView({
         ...each,
         pane: byId(`pane-${each.name}`),
-        errorScale: scale?.scale ?? 1,
+        scales,
         materials: this.materials,
       }));
-    if (scale) fillLegend(byId('legend'), scale);
-    this.radio('error').disabled = !scale;
-    this.radio('checker').disabled = !meshes.some((each) => each.hasTexcoords);
+    scales.forEach(({ name }, i) => byId('modes').append(this.errorChoice(name, i)));
+    this.form.querySelector('input[value=checker]').disabled = !meshes.some((each) => each.hasTexcoords);
   }
 
   start() {
@@ -39,31 +39,29 @@ export class SurfaceCard {
     this.form.addEventListener('change', () => this.apply());
     this.form.addEventListener('submit', (event) => event.preventDefault());
     byId('reset-view').addEventListener('click', () => this.stage.reset());
-    onThemeChange(() => this.recolor());
+    onThemeChange(() => this.apply());
     this.apply();
     this.stage.resize();
     this.stage.reset();
     this.stage.draw();
   }
 
-  radio(mode) {
-    return this.form.querySelector(`input[value=${mode}]`);
+  errorChoice(name, i) {
+    const input = element('input', { type: 'radio', name: 'mode', value: 'error', 'data-error': i });
+    return element('label', {}, input, element('span', {}, name));
   }
 
   apply() {
-    const mode = modes.find((m) => this.radio(m).checked);
+    const { value: mode, dataset } = this.form.querySelector('input[name=mode]:checked');
+    const error = Number(dataset.error ?? 0);
     if (this.materials.flat !== byId('flat').checked) this.materials.setFlat(byId('flat').checked);
     byId('legend').hidden = mode !== 'error';
+    if (mode === 'error') fillLegend(byId('legend'), this.scales[error]);
     for (const view of this.stage.views) {
-      view.setMode(mode);
+      view.setMode(mode, error);
       view.showWireframe(byId('wireframe').checked);
       view.showSeams(byId('seams').checked, themeColor('--seam'));
     }
-    this.stage.redraw();
-  }
-
-  recolor() {
-    for (const view of this.stage.views) view.lines.get('seams')?.material.color.set(themeColor('--seam'));
     this.stage.redraw();
   }
 }

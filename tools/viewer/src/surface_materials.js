@@ -15,8 +15,6 @@ import {
 import { checkerCanvas } from './checker.js';
 import { ramp } from './color_ramp.js';
 
-export const modes = ['textured', 'plain', 'checker', 'error'];
-
 const plainColor = 0xb9bec9;
 
 function repeating(texture, anisotropy) {
@@ -50,7 +48,7 @@ export class SurfaceMaterials {
     this.made = [];
   }
 
-  /** The materials of a mesh in a mode, one per run. */
+  /** The materials of a mesh in a mode, one per run. Modes: `textured`, `plain`, `checker`, `error`. */
   of(mesh, runs, mode) {
     return runs.map((run) => this.make(this.appearance(mesh, run, mode)));
   }
@@ -68,7 +66,7 @@ export class SurfaceMaterials {
     const checker = run.hasTexcoords ? { map: this.checker } : plain;
     if (mode === 'checker') return checker;
     // Light alone would change what the colours mean; none would hide the shape.
-    if (mode === 'error' && mesh.error.length > 0)
+    if (mode === 'error' && mesh.errors.length > 0)
       return { color: new Color(0.35, 0.35, 0.35), map: this.ramp, emissive: new Color(0.65, 0.65, 0.65),
         emissiveMap: this.ramp };
     if (mode !== 'textured') return plain;
