@@ -2,6 +2,7 @@
 // The surface and its textures, from triangles.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "adapters/openmesh/make_mesh.hpp"
 #include "multimesh/algorithms/corner_classes.hpp"
@@ -146,12 +147,12 @@ void add_texture(const TexturedTriangles& input, const Cut& surface, std::size_t
     throw InputError("set " + std::to_string(set) +
                      " of texture coordinates is used by no triangle; leave it out");
   std::vector<Index> texcoord_of;
-  const Cut texture = cut(by_class(part, input.texcoords_of(set), texcoord_of));
+  Cut texture = cut(by_class(part, input.texcoords_of(set), texcoord_of));
   part.texcoord = {};
   for (std::size_t f = 0; f < part.facets.size(); ++f)
     if (texture.reversed[f]) std::swap(part.over.corners[3 * f], part.over.corners[3 * f + 1]);
-  const NodeId node = add_child_by_facets(*out.tree, NodeId::root, texture.facets, part.over, part.facets,
-                                          openmesh::make_mesh);
+  const NodeId node = add_child_by_facets(*out.tree, NodeId::root, std::move(texture.facets),
+                                          std::move(part.over), part.facets, openmesh::make_mesh);
   out.textures.push_back(node);
   out.texcoords.push_back(out.add_property(node, OpenMesh::VPropHandleT<Vec2d>(), "texcoord"));
   for (Index v = 0; v < texture.source.size(); ++v)

@@ -75,7 +75,7 @@ class TexcoordNumbers {
     const std::array<std::uint64_t, 2> key{std::bit_cast<std::uint64_t>(p[0] + 0.0),
                                            std::bit_cast<std::uint64_t>(p[1] + 0.0)};
     const auto [it, is_new] = by_value_.try_emplace(key, static_cast<std::int32_t>(out_.size()));
-    if (is_new) out_.push_back(p);
+    if (is_new) out_.push_back(p + Vec2d(0, 0));  // no -0
     return number_[v] = it->second;
   }
 
