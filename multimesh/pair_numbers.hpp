@@ -39,7 +39,6 @@ class PairNumbers {
   }
 
   Index size() const noexcept { return static_cast<Index>(pairs_.size()); }
-  Index expected(Index i) const { return lists_[i].expected; }
 
  private:
   struct List {
