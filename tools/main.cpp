@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 #include <exception>
 #include <iostream>
 
@@ -7,8 +11,21 @@
 #include "multimesh/version.hpp"
 #include "tools/command.hpp"
 
+namespace {
+
+/// Large buffers of one phase of the work must not stay for the next: without a fixed threshold, glibc keeps
+/// them in its heap after the first one was freed.
+void give_memory_back() {
+#ifdef M_MMAP_THRESHOLD
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace multimesh;
+  give_memory_back();
   io::install_signal_cleanup();
   CLI::App app{"Textured surfaces as multimeshes: surface, texture and seams stay in step."};
   app.name("multimesh");

@@ -181,43 +181,46 @@ std::optional<CollapsePlan> CollapseCost::plan(Dart e) const {
   if (options_.cost == DecimateCost::length) return plan_at(e, 0.5);
   find_copies(e, plan);
   minimize(plan);
-  plan.cost = deviation(plan);
   return plan;
 }
 
-// With x and y the displacements from the middle of the edge, in space and in each copy, and a' = -x-h etc.,
-// the deviation is x'Ax + 2 f.x + sum over copies (2 x'My + y'Sy + 2 g.y) + const. Texture coordinates are
-// eliminated copy by copy: the best ones are linear in x.
+// With x and y the displacements from the middle of the edge, in space and in each copy, the deviation is
+// x'Ax + 2 f.x + sum over copies (2 x'My + y'Sy + 2 g.y) + c. Texture coordinates are eliminated copy by copy:
+// the best ones are linear in x.
 void CollapseCost::minimize(CollapsePlan& plan) const {
   const Vec3d &pa = surface_.positions()[plan.a], &pb = surface_.positions()[plan.b];
   const Vec3d half = (pb - pa) * 0.5;
   const PositionForm &form_a = position_forms_[plan.a], &form_b = position_forms_[plan.b];
   PositionForm A = form_a + form_b;
-  A.add(PositionForm::point(pull_to_middle * A.trace()), 1);
+  const double area = A.trace(), pull = pull_to_middle * area;
   Vec3d f = (form_a - form_b).times(half);
+  double c = A(half);
+  A.add(PositionForm::point(pull), 1);
 
   struct Elimination {
     bool possible;
-    Vec3d u, v;  ///< y = (u.x + c[0], v.x + c[1])
+    Vec3d u, v;  ///< y = (u.x, v.x) + constant
     Vec2d constant;
   };
   std::array<Elimination, 2 * max_sets> eliminations;
   for (std::size_t i = 0; i < plan.n_copies; ++i) {
-    const CollapsePlan::Copy& c = plan.copy_list[i];
-    const auto& texcoords = surface_.texcoords(c.set);
-    const Vec2d half_y = (texcoords[c.b] - texcoords[c.a]) * 0.5;
-    const TextureForm sum = sets_[c.set].forms[c.a] + sets_[c.set].forms[c.b];
-    const TextureForm difference = sets_[c.set].forms[c.a] - sets_[c.set].forms[c.b];
+    const CollapsePlan::Copy& copy = plan.copy_list[i];
+    const auto& texcoords = surface_.texcoords(copy.set);
+    const Vec2d half_y = (texcoords[copy.b] - texcoords[copy.a]) * 0.5;
+    const TextureForm &in_a = sets_[copy.set].forms[copy.a], &in_b = sets_[copy.set].forms[copy.b];
+    const TextureForm sum = in_a + in_b, difference = in_a - in_b;
     f += difference.mixed(half_y);
+    c += sum(half, half_y);
     const Vec2d g = difference.mixed(half) + difference.times(half_y);
     const double determinant = sum.uu * sum.vv - sum.uv * sum.uv, trace = sum.uu + sum.vv;
     Elimination& e = eliminations[i];
     e.possible = determinant > 1e-12 * trace * trace;
     if (!e.possible) continue;
     const Vec3d mu(sum.xu, sum.yu, sum.zu), mv(sum.xv, sum.yv, sum.zv);
-    e.u = (mv * sum.uv - mu * sum.vv) / determinant;
-    e.v = (mu * sum.uv - mv * sum.uu) / determinant;
-    e.constant = {(g[1] * sum.uv - g[0] * sum.vv) / determinant, (g[0] * sum.uv - g[1] * sum.uu) / determinant};
+    const double inverse = 1 / determinant;
+    e.u = (mv * sum.uv - mu * sum.vv) * inverse;
+    e.v = (mu * sum.uv - mv * sum.uu) * inverse;
+    e.constant = {(g[1] * sum.uv - g[0] * sum.vv) * inverse, (g[0] * sum.uv - g[1] * sum.uu) * inverse};
     A.xx += mu[0] * e.u[0] + mv[0] * e.v[0];
     A.xy += mu[0] * e.u[1] + mv[0] * e.v[1];
     A.xz += mu[0] * e.u[2] + mv[0] * e.v[2];
@@ -225,21 +228,27 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
     A.yz += mu[1] * e.u[2] + mv[1] * e.v[2];
     A.zz += mu[2] * e.u[2] + mv[2] * e.v[2];
     f += mu * e.constant[0] + mv * e.constant[1];
+    c += dot(g, e.constant);
   }
 
   const Vec3d x = minimum(A, f);
-  const double length = half.sqrnorm();
+  const double squared_half = half.sqrnorm();
   // Off the ends, where the vertex would count as not moved.
-  plan.t = std::clamp(0.5 + (length > 0 ? 0.5 * dot(x, half) / length : 0), 1e-3, 1 - 1e-3);
+  plan.t = std::clamp(0.5 + (squared_half > 0 ? 0.5 * dot(x, half) / squared_half : 0), 1e-3, 1 - 1e-3);
   plan.position = (pa + pb) * 0.5 + x;
+  bool all_eliminated = true;
   for (std::size_t i = 0; i < plan.n_copies; ++i) {
-    CollapsePlan::Copy& c = plan.copy_list[i];
-    const auto& texcoords = surface_.texcoords(c.set);
+    CollapsePlan::Copy& copy = plan.copy_list[i];
+    const auto& texcoords = surface_.texcoords(copy.set);
     const Elimination& e = eliminations[i];
-    c.texcoord = e.possible ? (texcoords[c.a] + texcoords[c.b]) * 0.5 +
-                                  Vec2d(dot(e.u, x) + e.constant[0], dot(e.v, x) + e.constant[1])
-                            : texcoords[c.a] * (1 - plan.t) + texcoords[c.b] * plan.t;
+    all_eliminated &= e.possible;
+    copy.texcoord = e.possible ? (texcoords[copy.a] + texcoords[copy.b]) * 0.5 +
+                                     Vec2d(dot(e.u, x) + e.constant[0], dot(e.v, x) + e.constant[1])
+                               : texcoords[copy.a] * (1 - plan.t) + texcoords[copy.b] * plan.t;
   }
+  plan.cost = all_eliminated ? std::max(c + dot(f, x) - pull * x.sqrnorm(), 0.0) +
+                                   4 * length_cost * area * squared_half
+                             : deviation(plan);
 }
 
 namespace {
