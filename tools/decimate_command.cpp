@@ -142,7 +142,8 @@ void add_decimate_command(CLI::App& app, int& exit_code) {
   auto a = std::make_shared<DecimateArguments>();
   add_options(*command, *a);
   command->footer(
-      "Example:  multimesh decimate cow.obj -o small.obj --ratio 0.1 --report-html cow.html\n\n"
+      "Example:  multimesh decimate cow.obj -o small.obj --ratio 0.1 --report report.json\n"
+      "          multimesh decimate cow.obj -o small.obj --levels 0.5,0.25,0.1 --report-html cow.html\n\n"
       "Kept: the topology of the surface and of every chart, the graph of the seams, materials and groups of "
       "each\n"
       "face. No triangle of the texture flips or loses its area. Polygons become triangles; normals are "

@@ -7,8 +7,10 @@
 #include <limits>
 #include <numeric>
 
+#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/closest_point.hpp"
 #include "multimesh/validate.hpp"
 #include "test/algorithms/judge.hpp"
 #include "test/algorithms/made_surface.hpp"
@@ -66,27 +68,38 @@ TEST(DecimateOptions, AsManyFacesAsThereAreChangesNothing) {
   }
 }
 
-TEST(DecimateOptions, NoEdgeLongerThanTheMaximalErrorIsCollapsed) {
-  // The edges of the grid are 1 and sqrt(2) long, its diagonal 20 sqrt(2).
-  const double diagonal = 20 * std::sqrt(2.0);
-  TexturedSurface surface(one_chart().input);
-  DecimateResult r = decimate(surface, to_error(0.99 / diagonal, DecimateCost::length));
-  EXPECT_EQ(r.stop, DecimateResult::Stop::max_error);
-  EXPECT_EQ(r.collapsed, 0U);
-  r = decimate(surface, to_error(1.01 / diagonal, DecimateCost::length));
-  EXPECT_GT(r.collapsed, 0U);
-  EXPECT_LE(r.max_cost, 1.01 / diagonal);
+/// Of the vertices of `from`, the largest distance to the triangles of `to`, relative to the diagonal.
+double farthest_vertex(const TexturedTriangles& from, const TexturedTriangles& to) {
+  const auto point = [](const OpenMesh::Vec3d& p) { return spatial::Point{p[0], p[1], p[2]}; };
+  double farthest = 0;
+  for (const auto& v : from.positions) {
+    double nearest = infinity;
+    for (const auto& t : to.triangles) {
+      spatial::Triangle triangle;
+      for (std::size_t i = 0; i < 3; ++i) triangle[i] = point(to.positions[static_cast<std::size_t>(t[i].position)]);
+      nearest = std::min(nearest, spatial::closest_point(point(v), triangle).squared_distance);
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  return std::sqrt(farthest) / bounding_box_diagonal(from.positions);
 }
 
-TEST(DecimateOptions, MaximalErrorBoundsTheCost) {
+TEST(DecimateOptions, MaximalErrorBoundsTheDistanceOfInputVertices) {
+  const MadeSurface made = sphere_with_charts();
   std::size_t left = std::numeric_limits<std::size_t>::max();
-  for (const double error : {1e-4, 1e-3, 1e-2}) {
-    TexturedSurface surface(sphere_with_charts().input);
-    const DecimateResult r = decimate(surface, to_error(error));
-    EXPECT_LE(r.max_cost, error);
-    EXPECT_LT(r.faces_after, left) << "more error, fewer faces";
-    left = r.faces_after;
-  }
+  for (const DecimateCost cost : {DecimateCost::length, DecimateCost::quadric})
+    for (const double error : {1e-3, 1e-2, 5e-2}) {
+      TexturedSurface surface(made.input);
+      const DecimateResult r = decimate(surface, to_error(error, cost));
+      EXPECT_EQ(r.stop, DecimateResult::Stop::bound);
+      if (error == 1e-3) left = std::numeric_limits<std::size_t>::max();
+      EXPECT_LT(r.faces_after, left) << "more error, fewer faces";
+      left = r.faces_after;
+      std::vector<Index> source;
+      const double reached = farthest_vertex(made.input, surface.triangles(source));
+      EXPECT_LE(reached, error * (1 + 1e-9));
+      EXPECT_GT(reached, error / 4) << "and makes use of what is allowed";
+    }
 }
 
 TEST(DecimateOptions, ErrorsAreRelativeToTheBoundingBox) {
@@ -103,7 +116,7 @@ TEST(DecimateOptions, OfTwoTargetsTheFirstThatIsMetStops) {
   DecimateOptions o = to_faces(10);
   o.max_error = 1e-4;
   TexturedSurface surface(sphere_with_charts().input);
-  EXPECT_EQ(decimate(surface, o).stop, DecimateResult::Stop::max_error);
+  EXPECT_EQ(decimate(surface, o).stop, DecimateResult::Stop::bound);
   o = to_faces(2000);
   o.max_error = 1;
   TexturedSurface other(sphere_with_charts().input);

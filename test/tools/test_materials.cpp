@@ -54,10 +54,12 @@ TEST_F(Materials, StayOnTheirSideOfASeam) {
       ASSERT_EQ(decimate("in.obj", "out.obj", {"--ratio", ratio, "--cost", cost}).status, 0);
       const auto found = parts(read("out.obj"));
       ASSERT_EQ(found.size(), 2U);
-      EXPECT_GE(found.at("left").low, 0);
-      EXPECT_EQ(found.at("left").high, 15);
-      EXPECT_EQ(found.at("right").low, 15);
-      EXPECT_LE(found.at("right").high, 30);
+      // The best place of a vertex on a straight seam is on it, up to how exactly it is solved for.
+      constexpr double rounding = 1e-6;
+      EXPECT_GE(found.at("left").low, -rounding);
+      EXPECT_NEAR(found.at("left").high, 15, rounding);
+      EXPECT_NEAR(found.at("right").low, 15, rounding);
+      EXPECT_LE(found.at("right").high, 30 + rounding);
       EXPECT_EQ(found.at("left").groups, std::set<std::string>{"left"});
       EXPECT_EQ(found.at("right").groups, std::set<std::string>{"right"});
     }

@@ -11,7 +11,7 @@ namespace {
 constexpr Index several = no_index - 1;
 
 /// Where deviation leaves the place open, as in a plane, it is drawn to the middle of the edge.
-constexpr double pull_to_middle = 1e-4;
+constexpr double pull_to_middle = 1e-8;
 /// Of edges that cost the same, the shorter one first.
 constexpr double length_cost = 1e-8;
 

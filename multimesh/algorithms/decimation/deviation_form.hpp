@@ -47,7 +47,7 @@ inline Vec3d minimum(const PositionForm& a, const Vec3d& f) {
   const double xx = a.yy * a.zz - a.yz * a.yz, xy = a.xz * a.yz - a.xy * a.zz, xz = a.xy * a.yz - a.xz * a.yy;
   const double yy = a.xx * a.zz - a.xz * a.xz, yz = a.xy * a.xz - a.xx * a.yz, zz = a.xx * a.yy - a.xy * a.xy;
   const double determinant = a.xx * xx + a.xy * xy + a.xz * xz, trace = a.trace();
-  if (!(determinant > 1e-15 * trace * trace * trace)) return {0, 0, 0};
+  if (!(determinant > 1e-20 * trace * trace * trace)) return {0, 0, 0};
   return PositionForm{xx, xy, xz, yy, yz, zz}.times(f) / -determinant;
 }
 
