@@ -13,10 +13,11 @@ using OpenMesh::Vec2d;
 using OpenMesh::Vec3d;
 
 CollapseDriver::CollapseDriver(TexturedSurface& surface, const DecimateOptions& options)
-    : root_(surface.tree().mesh(NodeId::root)),
-      strata_(surface, options),
+    : options_(options),
+      root_(surface.tree().mesh(NodeId::root)),
+      strata_(surface, options_),
       reader_(surface, strata_),
-      cost_(surface, options, strata_, reader_),
+      cost_(surface, options_, strata_, reader_),
       star_(surface.tree(), reader_),
       positions_(NodeId::root, surface.positions(),
                  [this](Operation, const VertexChange&) { return plan_.position; }),
@@ -34,7 +35,7 @@ CollapseDriver::CollapseDriver(TexturedSurface& surface, const DecimateOptions& 
     invariants_.push_back(std::make_unique<SeamsStayOpen>(*texcoords_.back()));
     tests_.push_back(std::make_unique<decimation::TextureOrientation>(surface, reader_, k));
   }
-  tests_.push_back(std::make_unique<decimation::NormalTurn>(options.max_normal_turn));
+  tests_.push_back(std::make_unique<decimation::NormalTurn>(options_.max_normal_turn));
   invariants_.push_back(std::make_unique<CopiesStayApart>(surface.source_positions()));
   invariants_.push_back(std::make_unique<FunctionInvariant>(
       "held place", [this](const Event&) { return held_place_allowed_; }));

@@ -40,6 +40,7 @@ class CollapseDriver {
  private:
   bool allowed(const decimation::CollapsePlan& plan);
 
+  const DecimateOptions options_;
   const Mesh& root_;
   decimation::Strata strata_;
   decimation::TriangleReader reader_;
