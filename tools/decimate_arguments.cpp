@@ -93,6 +93,8 @@ void add_weights(CLI::App& command, DecimateArguments& a) {
   add("--curve-weight", a.weights.curve_weight, "weight of boundaries, borders and sharp edges");
   add("--seam-weight", a.weights.seam_weight, "weight of where seams run on the surface");
   add("--uv-curve-weight", a.weights.uv_curve_weight, "weight of where seams run in the texture");
+  add("--memory-weight", a.weights.memory_weight,
+      "weight of the distance from the input's planes beside that from the surface as it is by then");
 }
 
 }  // namespace

@@ -318,7 +318,7 @@ void check_options(const DecimateOptions& o) {
   require(o.max_texture_error >= 0, "max_texture_error must not be negative");
   require(o.max_normal_deviation >= 0, "max_normal_deviation must not be negative");
   require(o.max_aspect_ratio >= 2 / std::sqrt(3.0), "max_aspect_ratio must be at least 1.155");
-  for (const double w : {o.uv_weight, o.curve_weight, o.seam_weight, o.uv_curve_weight})
+  for (const double w : {o.uv_weight, o.curve_weight, o.seam_weight, o.uv_curve_weight, o.memory_weight})
     require(w >= 0 && std::isfinite(w), "weights must be finite and not negative");
   for (std::size_t i = 0; i < o.levels.size(); ++i)
     require(o.levels[i] > (i + 1 < o.levels.size() ? o.levels[i + 1] : o.faces),

@@ -55,6 +55,9 @@ struct DecimateOptions {
   /// Weight of the edges of charts in the texture, beside uv_weight.
   double uv_curve_weight = 3;
 
+  /// Weight of the distance from the planes of the input beside that from the surface as it is by then.
+  double memory_weight = 0.3;
+
   /// Called about every thousand collapses with the number of triangles left; may throw to abandon the run.
   std::function<void(std::size_t faces)> progress = {};
 };

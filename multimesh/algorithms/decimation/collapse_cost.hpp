@@ -19,6 +19,10 @@ namespace multimesh::decimation {
 /// no weight depends on the scale of the model or of its texture. Memoryless (Lindstrom & Turk 1998): a vertex
 /// of the current surface deviates by nothing, so that its form has no linear part, and what is kept per
 /// vertex is the sum over its triangles. Curves add planes through their edges.
+///
+/// Memoryless, thin parts may be eaten up in many small steps, none of which costs much. So the distance from
+/// the planes of the input that were merged into a vertex (Garland & Heckbert 1997) counts too, by
+/// `memory_weight`.
 class CollapseCost {
  public:
   /// Cost: linear.
@@ -35,12 +39,17 @@ class CollapseCost {
 
  private:
   struct Shape;
+  struct Edge;
 
+  CollapsePlan start(Dart e) const;
   void find_copies(Dart e, CollapsePlan& plan) const;
   double deviation(const CollapsePlan& plan) const;
   void minimize(CollapsePlan& plan) const;
   void add(const SurfaceTriangle& t, double sign);
   void add_curves(const SurfaceTriangle& t, const Shape& shape, double sign);
+  void remember(const SurfaceTriangle& t);
+  void note_copies(const SurfaceTriangle& t);
+  void replace_triangles(const PredictedStar& star, const CollapsePlan& plan, End kept);
 
   const TexturedSurface& surface_;
   const DecimateOptions& options_;
@@ -49,6 +58,7 @@ class CollapseCost {
   Strata& strata_;
   const TriangleReader& reader_;
   std::vector<PositionForm> position_forms_;  ///< per vertex of the surface
+  std::vector<PlanesForm> memory_;            ///< the same; empty if its weight is 0
   struct Set {
     NodeId node;
     std::vector<TextureForm> forms;  ///< per vertex of the texture
