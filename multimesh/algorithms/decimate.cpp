@@ -79,8 +79,8 @@ class Decimator {
 
   // The scheduler's policy.
   std::optional<double> cost(Dart e) const {
-    const auto plan = cost_.plan(e);
-    return plan ? std::optional(plan->cost) : std::nullopt;
+    CollapsePlan plan;
+    return cost_.plan(e, plan) ? std::optional(plan.cost) : std::nullopt;
   }
   Attempt apply(Dart e, double cost);
   bool finished(double next_cost);
@@ -219,10 +219,8 @@ Attempt Decimator::refuse(const std::string& reason) {
 }
 
 Attempt Decimator::apply(Dart e, double cost) {
-  const auto plan = cost_.plan(e);
-  if (!plan) return refuse(name_of({Check::gluing, NodeId::root, {}}));
-  if (plan->cost > cost * same_cost) return Attempt::postpone(plan->cost);
-  plan_ = *plan;
+  if (!cost_.plan(e, plan_)) return refuse(name_of({Check::gluing, NodeId::root, {}}));
+  if (plan_.cost > cost * same_cost) return Attempt::postpone(plan_.cost);
   star_.read(e);
   if (const PlacementTest* failed = choose_place(e)) return refuse(failed->name());
   if (plan_.cost > cost * same_cost) return Attempt::postpone(plan_.cost);
@@ -275,8 +273,7 @@ bool Decimator::finished(double) {
 std::string Decimator::what_keeps(Dart e) {
   const Refusal illegal = operations_.judge(NodeId::root, e).refusal;
   if (illegal.refused()) return name_of(illegal);
-  const auto plan = cost_.plan(e);
-  plan_ = plan ? *plan : cost_.plan_at(e, 0);
+  if (!cost_.plan(e, plan_)) plan_ = cost_.plan_at(e, 0);
   star_.read(e);
   if (const PlacementTest* failed = choose_place(e)) return failed->name();
   Transaction trial = operations_.transaction();  // never committed

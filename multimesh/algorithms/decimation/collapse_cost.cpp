@@ -59,15 +59,15 @@ struct CollapseCost::Edge {
 
 CollapseCost::CollapseCost(const TexturedSurface& surface, const DecimateOptions& options, Strata& strata,
                            const TriangleReader& reader)
-    : surface_(surface),
-      options_(options),
+    : options_(options),
       tree_(surface.tree()),
       root_(tree_.mesh(NodeId::root)),
       strata_(strata),
       reader_(reader),
+      positions_(surface.positions()),
       position_forms_(root_.capacity(0)) {
   for (const NodeId n : surface.textures()) {
-    sets_.push_back({n, std::vector<TextureForm>(tree_.mesh(n).capacity(0)),
+    sets_.push_back({n, surface.texcoords(sets_.size()), std::vector<TextureForm>(tree_.mesh(n).capacity(0)),
                      std::vector<Index>(root_.capacity(0), no_index)});
   }
   const bool quadric = options_.cost == DecimateCost::quadric;
@@ -175,7 +175,7 @@ double CollapseCost::deviation(const CollapsePlan& plan) const {
   if (plan.moves(End::a)) sum += position_forms_[plan.a](from_a);
   if (plan.moves(End::b)) sum += position_forms_[plan.b](from_b);
   for (const CollapsePlan::Copy& c : plan.copies()) {
-    const auto& texcoords = surface_.texcoords(c.set);
+    const auto& texcoords = sets_[c.set].texcoords;
     if (plan.moves(End::a)) sum += sets_[c.set].forms[c.a](from_a, c.texcoord - texcoords[c.a]);
     if (plan.moves(End::b)) sum += sets_[c.set].forms[c.b](from_b, c.texcoord - texcoords[c.b]);
   }
@@ -183,39 +183,54 @@ double CollapseCost::deviation(const CollapsePlan& plan) const {
   return std::max(sum, 0.0) + length_cost * area * (plan.at_b - plan.at_a).sqrnorm();
 }
 
-CollapsePlan CollapseCost::start(Dart e) const {
-  CollapsePlan plan;
-  plan.a = root_.vertex(e);
-  plan.b = root_.vertex(root_.reorder(e, exchange_ends));
-  plan.at_a = surface_.positions()[plan.a];
-  plan.at_b = surface_.positions()[plan.b];
-  return plan;
+void CollapseCost::start(Dart e, CollapsePlan& plan) const {
+  std::array<Index, 4> v;
+  root_.vertices(e, v.data());
+  plan.a = v[0];
+  plan.b = v[1];
+  plan.at_a = positions_[plan.a];
+  plan.at_b = positions_[plan.b];
 }
 
 CollapsePlan CollapseCost::plan_at(Dart e, double t) const {
-  CollapsePlan plan = start(e);
+  CollapsePlan plan;
+  start(e, plan);
+  put_at(e, t, plan);
+  return plan;
+}
+
+void CollapseCost::put_at(Dart e, double t, CollapsePlan& plan) const {
   plan.t = t;
   find_copies(e, plan);
   const auto between = [t](const auto& values, Index a, Index b) {
     return t <= 0 ? values[a] : t >= 1 ? values[b] : values[a] * (1 - t) + values[b] * t;
   };
-  plan.position = between(surface_.positions(), plan.a, plan.b);
-  for (CollapsePlan::Copy& c : plan.copies()) c.texcoord = between(surface_.texcoords(c.set), c.a, c.b);
+  plan.position = between(positions_, plan.a, plan.b);
+  for (CollapsePlan::Copy& c : plan.copies()) c.texcoord = between(sets_[c.set].texcoords, c.a, c.b);
   plan.cost = options_.cost == DecimateCost::quadric
                   ? deviation(plan)
                   : (plan.at_a - plan.at_b).sqrnorm();
-  return plan;
 }
 
 std::optional<CollapsePlan> CollapseCost::plan(Dart e) const {
-  CollapsePlan plan = start(e);
-  if (!strata_.may_collapse(e, plan.a, plan.b)) return std::nullopt;
+  std::optional<CollapsePlan> result(std::in_place);
+  if (!plan(e, *result)) result.reset();
+  return result;
+}
+
+bool CollapseCost::plan(Dart e, CollapsePlan& plan) const {
+  start(e, plan);
+  if (!strata_.may_collapse(e, plan.a, plan.b)) return false;
   const Rank a = strata_.rank(plan.a), b = strata_.rank(plan.b);
-  if (a != b) return plan_at(e, a > b ? 0 : 1);
-  if (options_.cost == DecimateCost::length) return plan_at(e, 0.5);
-  find_copies(e, plan);
-  minimize(plan);
-  return plan;
+  if (a != b) {
+    put_at(e, a > b ? 0 : 1, plan);
+  } else if (options_.cost == DecimateCost::length) {
+    put_at(e, 0.5, plan);
+  } else {
+    find_copies(e, plan);
+    minimize(plan);
+  }
+  return true;
 }
 
 // With x and y the displacements from the middle of the edge, in space and in each copy, the deviation is
@@ -245,7 +260,7 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
   std::array<Elimination, 2 * max_sets> eliminations;
   for (std::size_t i = 0; i < plan.n_copies; ++i) {
     const CollapsePlan::Copy& copy = plan.copy_list[i];
-    const auto& texcoords = surface_.texcoords(copy.set);
+    const auto& texcoords = sets_[copy.set].texcoords;
     const Vec2d half_y = (texcoords[copy.b] - texcoords[copy.a]) * 0.5;
     const TextureForm &in_a = sets_[copy.set].forms[copy.a], &in_b = sets_[copy.set].forms[copy.b];
     const TextureForm sum = in_a + in_b, difference = in_a - in_b;
@@ -279,7 +294,7 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
   bool all_eliminated = true;
   for (std::size_t i = 0; i < plan.n_copies; ++i) {
     CollapsePlan::Copy& copy = plan.copy_list[i];
-    const auto& texcoords = surface_.texcoords(copy.set);
+    const auto& texcoords = sets_[copy.set].texcoords;
     const Elimination& e = eliminations[i];
     all_eliminated &= e.possible;
     copy.texcoord = e.possible ? (texcoords[copy.a] + texcoords[copy.b]) * 0.5 +
