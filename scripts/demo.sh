@@ -17,6 +17,8 @@ multimesh=build/release/tools/multimesh
 mkdir -p build/demo
 run $multimesh info examples/data/spot/spot.obj
 run $multimesh decimate examples/data/spot/spot.obj -o build/demo/spot.obj --ratio 0.1 \
-  --report build/demo/report.json
+  --report build/demo/report.json --report-html build/demo/report.html
 run $multimesh info build/demo/spot.obj
-run cat build/demo/report.json
+run $multimesh compare examples/data/spot/spot.obj build/demo/spot.obj
+echo
+echo "Look at build/demo/report.html in a browser; build/demo/report.json says what was done."
