@@ -11,6 +11,7 @@
 #include "multimesh/algorithms/decimation/distance_bounds.hpp"
 #include "multimesh/algorithms/decimation/shape_tests.hpp"
 #include "multimesh/algorithms/decimation/texture_orientation.hpp"
+#include "multimesh/algorithms/decimation/vertex_locks.hpp"
 #include "multimesh/algorithms/surface_invariants.hpp"
 #include "multimesh/scheduler.hpp"
 
@@ -37,40 +38,6 @@ std::vector<RefusalCount> by_frequency(const Counts& counts) {
 std::string name_of(const Refusal& r) {
   return std::string(r.check == Check::invariant ? r.invariant : to_string(r.check));
 }
-
-/// Vertices that the options lock, for the time of a run.
-class VertexLocks {
- public:
-  VertexLocks(TexturedSurface& surface, const DecimateOptions& options) : surface_(surface) {
-    if (!options.lock_boundary && !options.lock_seams) return;
-    const Mesh& root = surface.tree().mesh(NodeId::root);
-    CurveKinds seams = no_curve;
-    for (std::size_t k = 0; k < surface.textures().size(); ++k) seams |= seam_of(k);
-    for (Index e = 0; e < root.capacity(1); ++e) {
-      if (!root.is_live(1, e)) continue;
-      const Dart d = root.dart_of(1, e);
-      if ((options.lock_boundary && root.is_boundary(d, 1)) ||
-          (options.lock_seams && (surface.curve_kinds(d) & seams)))
-        for (const Dart end : {d, root.switch_dart(d, 0)}) lock(root.vertex(end));
-    }
-  }
-  ~VertexLocks() {
-    for (const Index v : locked_)
-      if (surface_.tree().mesh(NodeId::root).is_live(0, v)) surface_.set_locked(v, false);
-  }
-  VertexLocks(const VertexLocks&) = delete;
-  VertexLocks& operator=(const VertexLocks&) = delete;
-
- private:
-  void lock(Index v) {
-    if (surface_.tree().mesh(NodeId::root).is_locked(v)) return;
-    surface_.set_locked(v, true);
-    locked_.push_back(v);
-  }
-
-  TexturedSurface& surface_;
-  std::vector<Index> locked_;
-};
 
 class Decimator {
  public:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace multimesh::decimation {
 
@@ -229,6 +230,11 @@ bool CollapseCost::plan(Dart e, CollapsePlan& plan) const {
   } else {
     find_copies(e, plan);
     minimize(plan);
+  }
+  // Coordinates so large that squares overflow: such an edge comes last.
+  if (!std::isfinite(plan.cost)) {
+    put_at(e, 0.5, plan);
+    plan.cost = std::numeric_limits<double>::max();
   }
   return true;
 }
