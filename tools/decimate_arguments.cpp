@@ -37,8 +37,8 @@ void add_targets(CLI::App& command, DecimateArguments& a) {
       ->excludes(ratio);
   group
       ->add_option("--max-error", a.max_error,
-                   "no vertex of the input gets farther than this from the surface; relative to the diagonal of "
-                   "the bounding box (0.001 = 0.1%)")
+                   "no point of the input gets farther than this from the surface, and no vertex of the surface "
+                   "from the input; relative to the diagonal of the bounding box (0.001 = 0.1%)")
       ->check(length());
   group
       ->add_option("--max-texture-error", a.max_texture_error,

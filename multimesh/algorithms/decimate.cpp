@@ -8,8 +8,9 @@
 
 #include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/decimation/collapse_cost.hpp"
-#include "multimesh/algorithms/decimation/distance_bounds.hpp"
 #include "multimesh/algorithms/decimation/shape_tests.hpp"
+#include "multimesh/algorithms/decimation/surface_distance.hpp"
+#include "multimesh/algorithms/decimation/texture_distance.hpp"
 #include "multimesh/algorithms/decimation/texture_orientation.hpp"
 #include "multimesh/algorithms/decimation/vertex_locks.hpp"
 #include "multimesh/algorithms/surface_invariants.hpp"
@@ -133,7 +134,7 @@ Vec2d Decimator::merged_texcoord(std::size_t set, const VertexChange& c) const {
 void Decimator::add_tests() {
   const auto is_set = [](double limit) { return std::isfinite(limit); };
   if (is_set(options_.max_error))
-    tests_.push_back(std::make_unique<VertexDistance>(surface_, options_.max_error * diagonal_));
+    tests_.push_back(std::make_unique<SurfaceDistance>(surface_, options_.max_error * diagonal_));
   for (std::size_t k = 0; k < reader_.n_sets(); ++k)
     if (is_set(options_.max_texture_error))
       tests_.push_back(
