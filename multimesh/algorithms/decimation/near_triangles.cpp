@@ -2,6 +2,7 @@
 #include "multimesh/algorithms/decimation/near_triangles.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -70,6 +71,23 @@ NearTriangles::Near NearTriangles::near(const Point& p, std::size_t first) const
     if (d < least) least = d, found.nearest = i;
   }
   return found;
+}
+
+double NearTriangles::leaves(const Entry& e, const Point& p, const Point& q) {
+  double t = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double at_p = dot(e.outward[i], minus(p, e.triangle[i]));
+    const double at_q = dot(e.outward[i], minus(q, e.triangle[i]));
+    if (at_q > 0) t = std::min(t, at_p < 0 ? at_p / (at_p - at_q) : 0);
+  }
+  return t;
+}
+
+double NearTriangles::leaves(Mask triangles, const Point& p, const Point& q) const {
+  double t = 0;
+  for (; triangles != 0; triangles &= triangles - 1)
+    t = std::max(t, leaves(entries_[static_cast<std::size_t>(std::countr_zero(triangles))], p, q));
+  return t;
 }
 
 }  // namespace multimesh::decimation

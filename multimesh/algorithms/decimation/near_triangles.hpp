@@ -33,6 +33,9 @@ class NearTriangles {
 
   /// Of the triangles from `first` on, those near p; for one at that very distance, rounding decides.
   Near near(const spatial::Point& p, std::size_t first = 0) const;
+  /// On the way from p to q, t = 0 to 1: the last t at which one of these triangles that p is above or below
+  /// is left; 0 if there is none, 1 if one reaches as far as q.
+  double leaves(Mask triangles, const spatial::Point& p, const spatial::Point& q) const;
 
  private:
   /// A triangle with unit vectors, or 0 if it has no area: its normal, and those in its plane that point
@@ -45,6 +48,7 @@ class NearTriangles {
     bool is_fat;  ///< enough for the normal to be exact
   };
   static Entry entry(Index name, const spatial::Triangle& triangle);
+  static double leaves(const Entry& e, const spatial::Point& p, const spatial::Point& q);
   double squared_distance(const Entry& e, const spatial::Point& p) const;
 
   double distance_, squared_distance_;

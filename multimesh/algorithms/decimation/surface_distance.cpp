@@ -10,8 +10,8 @@ using OpenMesh::Vec3d;
 
 namespace {
 
-/// How often a triangle of the input is halved until each part has one witness near all of it. Ten halvings
-/// make parts of 1/32 of the size; more were not seen to help.
+/// How often a triangle of the input is cut in two until each part has one witness near all of it. Ten cuts,
+/// if all are in the middle, make parts of 1/32 of the size; more were not seen to help.
 constexpr int max_bisections = 10;
 
 spatial::Point point(const Vec3d& p) {
@@ -24,14 +24,8 @@ double squared_distance(const spatial::Point& p, const spatial::Point& q) {
   return sum;
 }
 
-spatial::Point middle(const spatial::Point& p, const spatial::Point& q) {
-  return {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
-}
-
-std::size_t longest_edge(const spatial::Triangle& t) {
-  const std::array<double, 3> length{squared_distance(t[0], t[1]), squared_distance(t[1], t[2]),
-                                     squared_distance(t[2], t[0])};
-  return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+spatial::Point between(const spatial::Point& p, const spatial::Point& q, double t) {
+  return {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])};
 }
 
 /// Of the candidates near all of a part, one that is the nearest at a corner, if possible: what moves away
@@ -132,13 +126,13 @@ bool SurfaceDistance::find_one(Index input) {
 }
 
 bool SurfaceDistance::find_several(const PredictedStar& star, Index input) {
-  add_witnesses_elsewhere(star, input);
   Part part;
   for (std::size_t i = 0; i < 3; ++i) {
     Vertex& v = vertices_[triangles_[input].vertices[i]];
     part[i] = {v.position, near(v)};
-    part[i].near.mask |= candidates_.near(v.position, in_star_).mask;
   }
+  add_witnesses_elsewhere(star, input);  // for this triangle only
+  for (Corner& c : part) c.near.mask |= candidates_.near(c.position, in_star_).mask;
   Mask chosen = 0;
   const bool found =
       part[0].near.mask && part[1].near.mask && part[2].near.mask && cover(part, max_bisections, chosen);
@@ -169,13 +163,42 @@ bool SurfaceDistance::cover(const Part& part, int bisections, Mask& chosen) cons
     return true;
   }
   if (bisections == 0) return false;
-  const std::size_t i = longest_edge({part[0].position, part[1].position, part[2].position}), j = (i + 1) % 3;
-  Corner m{middle(part[i].position, part[j].position), {}};
-  m.near = candidates_.near(m.position);
+  const std::size_t i = edge_to_divide(part), j = (i + 1) % 3;
+  const Corner m = divide(part[i], part[j]);
   if (!m.near.mask) return false;
   Part at_i = part, at_j = part;
   at_i[j] = at_j[i] = m;
   return cover(at_i, bisections - 1, chosen) && cover(at_j, bisections - 1, chosen);
+}
+
+/// The longest of those that have no candidate near both ends, if there are such edges.
+std::size_t SurfaceDistance::edge_to_divide(const Part& part) {
+  std::size_t best = 0;
+  double longest = -1;
+  bool best_is_covered = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner &p = part[i], &q = part[(i + 1) % 3];
+    const bool is_covered = (p.near.mask & q.near.mask) != 0;
+    const double length = squared_distance(p.position, q.position);
+    if (is_covered == best_is_covered ? length <= longest : is_covered) continue;
+    best = i, longest = length, best_is_covered = is_covered;
+  }
+  return best;
+}
+
+/// A point of an edge: where it passes from candidates near p to others, for in a plane no other point will
+/// do; or its middle.
+SurfaceDistance::Corner SurfaceDistance::divide(const Corner& p, const Corner& q) const {
+  const auto at = [&](double t) {
+    const spatial::Point m = between(p.position, q.position, t);
+    return Corner{m, candidates_.near(m)};
+  };
+  if (!(p.near.mask & q.near.mask)) {
+    const double t = candidates_.leaves(p.near.mask, p.position, q.position);
+    const Corner m = at(t);
+    if (t > 0 && t < 1 && (m.near.mask & p.near.mask) && (m.near.mask & q.near.mask)) return m;
+  }
+  return at(0.5);
 }
 
 Witnesses::Set SurfaceDistance::named(Mask chosen) const {

@@ -55,6 +55,8 @@ class SurfaceDistance final : public PlacementTest {
   bool find_several(const PredictedStar& star, Index input);
   void add_witnesses_elsewhere(const PredictedStar& star, Index input);
   bool cover(const Part& part, int bisections, Mask& chosen) const;
+  static std::size_t edge_to_divide(const Part& part);
+  Corner divide(const Corner& p, const Corner& q) const;
   bool is_near_input(const PredictedStar& star, const OpenMesh::Vec3d& position) const;
 
   const NearTriangles::Near& near(Vertex& v);
