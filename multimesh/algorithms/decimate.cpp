@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 
 #include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/decimation/collapse_cost.hpp"
@@ -282,6 +283,7 @@ void check_options(const DecimateOptions& o) {
   require(o.max_error >= 0, "max_error must not be negative");
   require(o.max_texture_error >= 0, "max_texture_error must not be negative");
   require(o.max_normal_deviation >= 0, "max_normal_deviation must not be negative");
+  require(o.max_normal_turn >= 0 && o.max_normal_turn < std::numbers::pi, "max_normal_turn must be in [0, pi)");
   require(o.max_aspect_ratio >= 2 / std::sqrt(3.0), "max_aspect_ratio must be at least 1.155");
   for (const double w : {o.uv_weight, o.curve_weight, o.seam_weight, o.uv_curve_weight, o.memory_weight})
     require(w >= 0 && std::isfinite(w), "weights must be finite and not negative");

@@ -15,6 +15,9 @@ constexpr Index several = no_index - 1;
 constexpr double pull_to_middle = 1e-8;
 /// Of edges that cost the same, the shorter one first.
 constexpr double length_cost = 1e-8;
+/// Below it, relative to the squared trace, the best texture coordinates are lost in roundings, and those on the
+/// edge are taken: at slivers of the texture.
+constexpr double least_determinant = 1e-8;
 
 }  // namespace
 
@@ -240,21 +243,19 @@ bool CollapseCost::plan(Dart e, CollapsePlan& plan) const {
 }
 
 // With x and y the displacements from the middle of the edge, in space and in each copy, the deviation is
-// x'Ax + 2 f.x + sum over copies (2 x'My + y'Sy + 2 g.y) + c. Texture coordinates are eliminated copy by copy:
-// the best ones are linear in x.
+// x'Ax + 2 f.x + sum over copies (2 x'My + y'Sy + 2 g.y) and a constant. Texture coordinates are eliminated copy
+// by copy: the best ones are linear in x.
 void CollapseCost::minimize(CollapsePlan& plan) const {
   const Vec3d half = (plan.at_b - plan.at_a) * 0.5;
   const PositionForm &form_a = position_forms_[plan.a], &form_b = position_forms_[plan.b];
   PositionForm A = form_a + form_b;
   const double area = A.trace(), pull = pull_to_middle * area;
   Vec3d f = (form_a - form_b).times(half);
-  double c = A(half);
   if (!memory_.empty()) {
     const PlanesForm &in_a = memory_[plan.a], &in_b = memory_[plan.b];
     const PositionForm quadratic_a = in_a.quadratic(), quadratic_b = in_b.quadratic();
     A.add(quadratic_a + quadratic_b, 1);
     f += (quadratic_a - quadratic_b).times(half) + in_a.linear() + in_b.linear();
-    c += in_a(half) + in_b(-half);
   }
   A.add(PositionForm::point(pull), 1);
 
@@ -271,11 +272,10 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
     const TextureForm &in_a = sets_[copy.set].forms[copy.a], &in_b = sets_[copy.set].forms[copy.b];
     const TextureForm sum = in_a + in_b, difference = in_a - in_b;
     f += difference.mixed(half_y);
-    c += sum(half, half_y);
     const Vec2d g = difference.mixed(half) + difference.times(half_y);
     const double determinant = sum.uu * sum.vv - sum.uv * sum.uv, trace = sum.uu + sum.vv;
     Elimination& e = eliminations[i];
-    e.possible = determinant > 1e-12 * trace * trace;
+    e.possible = determinant > least_determinant * trace * trace;
     if (!e.possible) continue;
     const Vec3d mu(sum.xu, sum.yu, sum.zu), mv(sum.xv, sum.yv, sum.zv);
     const double inverse = 1 / determinant;
@@ -289,7 +289,6 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
     A.yz += mu[1] * e.u[2] + mv[1] * e.v[2];
     A.zz += mu[2] * e.u[2] + mv[2] * e.v[2];
     f += mu * e.constant[0] + mv * e.constant[1];
-    c += dot(g, e.constant);
   }
 
   const Vec3d x = minimum(A, f);
@@ -297,19 +296,16 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
   // Off the ends, where the vertex would count as not moved.
   plan.t = std::clamp(0.5 + (squared_half > 0 ? 0.5 * dot(x, half) / squared_half : 0), 1e-3, 1 - 1e-3);
   plan.position = (plan.at_a + plan.at_b) * 0.5 + x;
-  bool all_eliminated = true;
   for (std::size_t i = 0; i < plan.n_copies; ++i) {
     CollapsePlan::Copy& copy = plan.copy_list[i];
     const auto& texcoords = sets_[copy.set].texcoords;
     const Elimination& e = eliminations[i];
-    all_eliminated &= e.possible;
     copy.texcoord = e.possible ? (texcoords[copy.a] + texcoords[copy.b]) * 0.5 +
                                      Vec2d(dot(e.u, x) + e.constant[0], dot(e.v, x) + e.constant[1])
                                : texcoords[copy.a] * (1 - plan.t) + texcoords[copy.b] * plan.t;
   }
-  plan.cost = all_eliminated ? std::max(c + dot(f, x) - pull * x.sqrnorm(), 0.0) +
-                                   4 * length_cost * area * squared_half
-                             : deviation(plan);
+  // Not from the solution, whose roundings can be far larger.
+  plan.cost = deviation(plan);
 }
 
 namespace {

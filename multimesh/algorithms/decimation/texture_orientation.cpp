@@ -12,6 +12,8 @@ namespace {
 
 /// Doubled area that counts as none, relative to the squared diagonal of the bounding box.
 constexpr double relative_no_area = 1e-11;
+/// A chart has an orientation if what its sides have more than each other is at least this share of its area.
+constexpr double oriented_share = 0.8;
 
 double doubled_area(const std::array<Vec2d, 3>& t) {
   const Vec2d u = t[1] - t[0], v = t[2] - t[0];
@@ -64,7 +66,7 @@ void TextureOrientation::find_charts(const Mesh& texture) {
 // with the surface everywhere or against it everywhere.
 void TextureOrientation::orient_charts(const TexturedSurface& surface, const TriangleReader& reader) {
   const Mesh& root = surface.tree().mesh(NodeId::root);
-  std::vector<double> total(charts_.size(), 0);
+  std::vector<double> total(charts_.size(), 0), absolute(charts_.size(), 0);
   std::vector<Box> boxes(charts_.size());
   Box whole;
   SurfaceTriangle t;
@@ -73,12 +75,15 @@ void TextureOrientation::orient_charts(const TexturedSurface& surface, const Tri
     reader.read(root.dart_of(2, f), t);
     if (t.sets[set_].facet == no_index) continue;
     const Index chart = chart_of_[t.sets[set_].facet];
-    total[chart] += doubled_area(t.sets[set_].texcoords);
+    const double area = doubled_area(t.sets[set_].texcoords);
+    total[chart] += area;
+    absolute[chart] += std::abs(area);
     for (const Vec2d& p : t.sets[set_].texcoords) boxes[chart].add(p), whole.add(p);
   }
   no_area_ = relative_no_area * whole.squared_diagonal();
   for (std::size_t c = 0; c < charts_.size(); ++c)
-    charts_[c] = {sign(total[c], 0), relative_no_area * boxes[c].squared_diagonal()};
+    charts_[c] = {sign(total[c], oriented_share * absolute[c]),
+                  relative_no_area * boxes[c].squared_diagonal()};
 }
 
 bool TextureOrientation::allows(const PredictedStar& star, const CollapsePlan&) {

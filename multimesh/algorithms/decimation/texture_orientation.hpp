@@ -10,6 +10,8 @@ namespace multimesh::decimation {
 /// No triangle of a texture may flip or lose its area. Flipped is judged against the chart: its orientation is
 /// the sign of its total area when the test is made, so that mirrored charts decimate like others. A triangle
 /// that is on the wrong side already may stay there or come right; one without area may stay so or come right.
+/// A chart with much area on either side, as where halves of a symmetric model share their part of the texture,
+/// has no wrong side: no triangle changes its own there.
 class TextureOrientation final : public PlacementTest {
  public:
   /// Cost: linear.

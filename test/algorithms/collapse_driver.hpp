@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "multimesh/algorithms/decimation/collapse_cost.hpp"
+#include "multimesh/algorithms/decimation/placement_test.hpp"
+#include "multimesh/algorithms/surface_invariants.hpp"
+#include "multimesh/operations.hpp"
+
+namespace multimesh::test {
+
+/// The parts of decimation, put together as decimate() does, without its queue: collapses of any edge, to any
+/// place that legality and the orientation of triangles allow.
+class CollapseDriver {
+ public:
+  CollapseDriver(TexturedSurface& surface, const DecimateOptions& options);
+
+  /// Collapses e by its plan, if that is allowed. \return whether it was done
+  bool collapse(Dart e, const decimation::CollapsePlan& plan);
+  /// Collapses of random edges, half of them to the best place, half to a place on the edge; ends early where
+  /// nearly all are refused. \return how many were done
+  std::size_t collapse_some(std::size_t wanted, std::mt19937& random);
+  /// Collapses the cheapest edges first. \return how many were done
+  std::size_t collapse_cheapest(std::size_t wanted);
+
+  /// A dart at the vertex that the last collapse made.
+  Dart merged() const { return merged_; }
+  const Mesh& root() const { return root_; }
+  const decimation::CollapseCost& cost() const { return cost_; }
+  const decimation::Strata& strata() const { return strata_; }
+  /// A test to be asked besides those of the driver; not owned.
+  void add(decimation::PlacementTest& test) { more_tests_.push_back(&test); }
+  /// Called after a collapse with the star as it was predicted.
+  std::function<void(const decimation::PredictedStar&)> on_collapse;
+
+ private:
+  bool allowed(const decimation::CollapsePlan& plan);
+
+  const Mesh& root_;
+  decimation::Strata strata_;
+  decimation::TriangleReader reader_;
+  decimation::CollapseCost cost_;
+  decimation::PredictedStar star_;
+  decimation::CollapsePlan plan_;
+  VertexAttribute<OpenMesh::Vec3d> positions_;
+  std::vector<std::unique_ptr<VertexAttribute<OpenMesh::Vec2d>>> texcoords_;
+  std::vector<std::unique_ptr<decimation::PlacementTest>> tests_;
+  std::vector<decimation::PlacementTest*> more_tests_;
+  std::vector<std::unique_ptr<Invariant>> invariants_;
+  bool held_place_allowed_ = false;
+  Dart merged_ = no_dart;
+  Propagation operations_;
+};
+
+}  // namespace multimesh::test

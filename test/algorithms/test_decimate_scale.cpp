@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// No unit counts: a model of another size, at another place, with other texture coordinates, is decimated by
+// the same collapses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "multimesh/algorithms/bounding_box.hpp"
+#include "multimesh/algorithms/decimate.hpp"
+#include "test/algorithms/rich_surface.hpp"
+
+namespace multimesh::test {
+namespace {
+
+using OpenMesh::Vec2d;
+using OpenMesh::Vec3d;
+
+struct Left {
+  TexturedTriangles surface;
+  std::vector<Index> source;
+  DecimateResult result;
+};
+
+Left decimated(const TexturedTriangles& input, double ratio, const DecimateOptions& more = {}) {
+  TexturedSurface surface(input);
+  DecimateOptions options = more;
+  options.faces = static_cast<std::size_t>(ratio * static_cast<double>(input.triangles.size()));
+  Left left;
+  left.result = decimate(surface, options);
+  left.surface = surface.triangles(left.source);
+  return left;
+}
+
+template <class F, class G>
+TexturedTriangles mapped(TexturedTriangles s, const F& in_space, const G& in_texture) {
+  for (Vec3d& p : s.positions) p = in_space(p);
+  for (Vec2d& p : s.texcoords) p = in_texture(p);
+  return s;
+}
+
+class DecimateScale : public ::testing::TestWithParam<MadeSurface> {
+ protected:
+  const TexturedTriangles& input() const { return GetParam().input; }
+};
+
+std::vector<MadeSurface> surfaces() {
+  std::vector<MadeSurface> all = made_surfaces();
+  all.push_back({"Spot", spot(), {}, {}});
+  all.push_back({"Waves", waves(), {}, {}});
+  return all;
+}
+
+// A scale by a power of two and half a turn are exact in floating point, and so must be all that follows.
+TEST_P(DecimateScale, PowersOfTwoChangeNoBit) {
+  const auto in_space = [](const Vec3d& p) { return Vec3d(-p[0], -p[1], p[2]) * 1024.0; };
+  const auto in_texture = [](const Vec2d& p) { return Vec2d(-p[0], -p[1]) / 128.0; };
+  DecimateOptions bounded;
+  bounded.max_normal_deviation = 0.5;
+  bounded.max_aspect_ratio = 15;
+  for (const DecimateOptions& options : {DecimateOptions{}, bounded}) {
+    const Left plain = decimated(input(), 0.1, options);
+    const Left scaled = decimated(mapped(input(), in_space, in_texture), 0.1, options);
+    EXPECT_GT(plain.result.collapsed, 0U);
+    EXPECT_EQ(scaled.source, plain.source);
+    EXPECT_EQ(scaled.result.tried, plain.result.tried);
+    EXPECT_EQ(scaled.result.max_cost, plain.result.max_cost);
+    const TexturedTriangles expected = mapped(plain.surface, in_space, in_texture);
+    EXPECT_EQ(scaled.surface.positions, expected.positions);
+    EXPECT_EQ(scaled.surface.texcoords, expected.texcoords);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Made, DecimateScale, ::testing::ValuesIn(surfaces()),
+                         [](const auto& p) { return p.param.name; });
+
+/// A turn about (1, 2, 2) / 3 by 50 degrees.
+Vec3d turned(const Vec3d& p) {
+  const Vec3d axis(1 / 3.0, 2 / 3.0, 2 / 3.0);
+  const double c = std::cos(0.8727), s = std::sin(0.8727);
+  return p * c + cross(axis, p) * s + axis * (dot(axis, p) * (1 - c));
+}
+
+// Roundings differ here, and would decide between edges of equal cost: there are none on jittered surfaces.
+TEST(DecimateScale, ASimilarityOfSpaceAndOneOfTheTextureChangeNoCollapse) {
+  const auto in_space = [](const Vec3d& p) { return turned(p) * 1000.0 + Vec3d(300, -2000, 50); };
+  const auto in_texture = [](const Vec2d& p) {
+    return Vec2d(0.6 * p[0] - 0.8 * p[1], 0.8 * p[0] + 0.6 * p[1]) * 0.01 + Vec2d(0.3, -0.1);
+  };
+  for (MadeSurface made : {sphere_with_charts(), slit(), polar_annulus(), half_without()}) {
+    jitter(made.input, 0.1, 3);
+    const Left plain = decimated(made.input, 0.2);
+    const TexturedTriangles scaled_input = mapped(made.input, in_space, in_texture);
+    const Left scaled = decimated(scaled_input, 0.2);
+    ASSERT_EQ(scaled.source, plain.source) << made.name;
+    EXPECT_EQ(scaled.result.tried, plain.result.tried);
+    const auto in_unit = [](const Left& left, const TexturedTriangles& of) {
+      return left.result.max_cost * bounding_box_diagonal(of.positions);  // which turning the model changes
+    };
+    EXPECT_NEAR(in_unit(scaled, scaled_input) / 1000, in_unit(plain, made.input), 1e-8);
+    const TexturedTriangles expected = mapped(plain.surface, in_space, in_texture);
+    ASSERT_EQ(scaled.surface.positions.size(), expected.positions.size()) << made.name;
+    double off = 0;
+    for (std::size_t v = 0; v < expected.positions.size(); ++v)
+      off = std::max(off, (scaled.surface.positions[v] - expected.positions[v]).norm());
+    EXPECT_LT(off, 1e-6 * 1000) << made.name;
+  }
+}
+
+// An affine map of the texture is no similarity; what is measured in space does not see it.
+TEST(DecimateScale, AnAffineMapOfTheTextureChangesNoCollapse) {
+  const auto in_space = [](const Vec3d& p) { return p; };
+  const auto in_texture = [](const Vec2d& p) {
+    return Vec2d(3 * p[0] + 0.5 * p[1] + 7, 0.2 * p[0] + 0.1 * p[1] - 2);
+  };
+  for (MadeSurface made : {sphere_with_charts(), slit(), half_without()}) {
+    jitter(made.input, 0.1, 3);
+    EXPECT_EQ(decimated(mapped(made.input, in_space, in_texture), 0.2).source,
+              decimated(made.input, 0.2).source)
+        << made.name;
+  }
+}
+
+}  // namespace
+}  // namespace multimesh::test
