@@ -17,7 +17,7 @@ struct PlainObj {
   std::vector<std::array<double, 3>> positions;
   std::vector<std::array<double, 2>> texcoords;
   std::vector<std::array<std::uint32_t, 3>> faces;     ///< indices of positions
-  std::vector<std::array<std::uint32_t, 3>> uv_faces;  ///< indices of texcoords, or `none`; as many as faces
+  std::vector<std::array<std::uint32_t, 3>> uv_faces;  ///< indices of texcoords, or `none`; empty: no texture
 };
 
 /// \throw std::runtime_error naming the file
