@@ -29,15 +29,34 @@ fs::path level_path(const fs::path& output, std::size_t level) {
   return path;
 }
 
+bool same_file(const fs::path& x, const fs::path& y) {
+  std::error_code error;  // of a path that does not exist: it is no other file then
+  return fs::weakly_canonical(x, error) == fs::weakly_canonical(y, error);
+}
+
+void check_report_path(const std::string& report, const DecimateArguments& a) {
+  std::vector<fs::path> meshes{a.input, a.output};
+  for (std::size_t level = 1; level <= a.levels.size(); ++level) meshes.push_back(level_path(a.output, level));
+  check_output_path(report, meshes);
+}
+
 void check_paths(const DecimateArguments& a) {
   check_output_path(a.output, {});
   const std::string extension = fs::path(a.output).extension().string();
   if (extension != ".obj" && extension != ".OBJ")
     throw InputError(a.output + ": only OBJ files are written; give a name that ends in .obj");
-  if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
+  for (std::size_t level = 1; level <= a.levels.size(); ++level) {
+    const fs::path path = level_path(a.output, level);
+    check_output_path(path, {});
+    if (same_file(path, a.input))
+      throw InputError(path.string() + ": a level would replace the input; choose another name for the output");
+  }
+  if ((a.measure || !a.html.empty()) && same_file(a.input, a.output))
+    throw InputError(a.output + ": would replace the input, with which it is to be compared; choose another name");
+  if (!a.report.empty()) check_report_path(a.report, a);
   if (a.html.empty()) return;
   require_html_report();
-  check_output_path(a.html, {a.input, a.output});
+  check_report_path(a.html, a);
   if (a.html == a.report) throw InputError(a.html + ": both reports would have this name; choose another one");
 }
 

@@ -54,21 +54,34 @@ TexturedTriangles sphere_with_halves() {
   return s;
 }
 
+/// Where the seam of the first set runs, the second one is cut in the upper half only.
+TexturedTriangles with_slit_on_seam() {
+  TexturedTriangles s = waves();
+  add_uv_set(s, [&](std::size_t t, const Vec3d& p) {
+    const double cut = centroid(s, t)[0] < 10 ? 0 : std::max(0.0, p[1] - 10);
+    return Vec2d(p[0] + cut, p[1]);
+  });
+  return s;
+}
+
 std::vector<UvCase> uv_cases() {
   return {{"Flat", with_sets(two_charts().input, 10)},
           {"Waves", with_sets(waves(), 10)},
+          {"Steep", with_sets(waves(4), 10)},
+          {"SlitOnSeam", with_slit_on_seam()},
           {"Slit", with_sets(slit().input, 10)},
           {"Half", with_sets(half_without().input, 10)},
           {"Touching", with_sets(touching_charts().input, 10)},
           {"Sphere", sphere_with_halves()}};
 }
 
-class SeveralSets : public ::testing::TestWithParam<std::tuple<UvCase, double>> {};
+class SeveralSets : public ::testing::TestWithParam<std::tuple<UvCase, double, DecimateCost>> {};
 
 TEST_P(SeveralSets, AllKeepTopologyAndOrientation) {
-  const auto& [made, ratio] = GetParam();
+  const auto& [made, ratio, cost] = GetParam();
   TexturedSurface surface(made.input);
   DecimateOptions options = to_ratio(made.input, ratio);
+  options.cost = cost;
   const DecimateResult r = decimate(surface, options);
   EXPECT_LT(r.faces_after, r.faces_before / 4 * 3);
   EXPECT_EQ(validate(surface.tree()), std::vector<std::string>());
@@ -84,10 +97,12 @@ TEST_P(SeveralSets, AllKeepTopologyAndOrientation) {
 
 INSTANTIATE_TEST_SUITE_P(Made, SeveralSets,
                          ::testing::Combine(::testing::ValuesIn(uv_cases()),
-                                            ::testing::Values(0.5, 0.1, 0.001)),
+                                            ::testing::Values(0.5, 0.1, 0.001),
+                                            ::testing::Values(DecimateCost::quadric, DecimateCost::length)),
                          [](const auto& p) {
                            return std::get<0>(p.param).name +
-                                  std::to_string(std::lround(1000 * std::get<1>(p.param)));
+                                  std::to_string(std::lround(1000 * std::get<1>(p.param))) +
+                                  (std::get<2>(p.param) == DecimateCost::length ? "Length" : "Quadric");
                          });
 
 // On a plane, affine maps of both sets must stay true: whatever one of them wants, the other follows.
