@@ -25,8 +25,9 @@ struct Event {
   const MultiMesh& tree;
   Operation operation;
   const Copies& copies;
-  /// Where on the edge the new or merged vertex lies: the point (1-t) a + t b. In every mesh the same
-  /// point, so that positions and texture coordinates of a vertex never come apart. 0 <= t <= 1.
+  /// Where on the edge the new or merged vertex lies: the point (1-t) a + t b, in every mesh the same, so that
+  /// attributes never come apart. Those with a rule of their own may go elsewhere: ask them
+  /// (VertexAttribute::result). 0 <= t <= 1.
   double t = 0.5;
 
   /// Before a collapse: what it will do to copy i, whose end b survives.

@@ -16,13 +16,8 @@ MultiMesh::MultiMesh(std::unique_ptr<Mesh> root) {
   remember_order();
 }
 
-const MultiMesh::Node& MultiMesh::node(NodeId n) const {
-  if (!contains(n)) throw UsageError("no node " + std::to_string(index(n)) + " in this tree");
-  return nodes_[index(n)];
-}
-
-MultiMesh::Node& MultiMesh::node(NodeId n) {
-  return const_cast<Node&>(std::as_const(*this).node(n));
+void MultiMesh::refuse_node(NodeId n) {
+  throw UsageError("no node " + std::to_string(index(n)) + " in this tree");
 }
 
 void MultiMesh::remember_order() {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "multimesh/error.hpp"
@@ -108,8 +109,13 @@ class MultiMesh {
   };
 
   MultiMesh() = default;
-  const Node& node(NodeId n) const;
-  Node& node(NodeId n);
+  [[noreturn]] static void refuse_node(NodeId n);
+  const Node& node(NodeId n) const {
+    if (!contains(n)) [[unlikely]]
+      refuse_node(n);
+    return nodes_[index(n)];
+  }
+  Node& node(NodeId n) { return const_cast<Node&>(std::as_const(*this).node(n)); }
   void remember_order();
   void unlink_from_parent(NodeId n);
 

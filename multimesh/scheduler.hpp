@@ -108,9 +108,10 @@ class PriorityScheduler {
       }
     };
     root.star(vertex, 0, star_);
+    const bool boundary = root.dimension() == 2 && root.is_boundary(vertex, 0);
     for (const Dart t : star_) {
       update(t);
-      if (root.dimension() < 2) continue;
+      if (!boundary) continue;  // each edge is the first one of some facet
       const Dart other = root.reorder(t, edge_ax);
       if (root.is_boundary(other, 1)) update(other);
     }

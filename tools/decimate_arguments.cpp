@@ -37,8 +37,8 @@ void add_targets(CLI::App& command, DecimateArguments& a) {
       ->excludes(ratio);
   group
       ->add_option("--max-error", a.max_error,
-                   "no vertex of the input gets farther than this from the surface; relative to the diagonal of "
-                   "the bounding box (0.001 = 0.1%)")
+                   "no point of the input gets farther than this from the surface, and no vertex of the surface "
+                   "from the input; relative to the diagonal of the bounding box (0.001 = 0.1%)")
       ->check(length());
   group
       ->add_option("--max-texture-error", a.max_texture_error,
@@ -93,6 +93,8 @@ void add_weights(CLI::App& command, DecimateArguments& a) {
   add("--curve-weight", a.weights.curve_weight, "weight of boundaries, borders and sharp edges");
   add("--seam-weight", a.weights.seam_weight, "weight of where seams run on the surface");
   add("--uv-curve-weight", a.weights.uv_curve_weight, "weight of where seams run in the texture");
+  add("--memory-weight", a.weights.memory_weight,
+      "weight of the distance from the input's planes beside that from the surface as it is by then");
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ class Run {
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
+  bool wants_report() const { return !a_.report.empty() || !a_.html.empty(); }
   void write_level(const TexturedSurface& surface, std::size_t level);
   void measure(Json& j);
 
@@ -98,7 +99,7 @@ void Run::write_level(const TexturedSurface& surface, std::size_t level) {
 
 void Run::decimate() {
   TexturedSurface surface = take_surface(file_, surface_options(a_));
-  before_ = to_json(surface);
+  if (wants_report()) before_ = to_json(surface);
   const bool show = !a_.quiet && isatty(STDERR_FILENO);
   if (show)
     options_.progress = [](std::size_t faces) { std::cerr << "\r" << faces << " faces   " << std::flush; };
@@ -106,7 +107,7 @@ void Run::decimate() {
   result_ = multimesh::decimate(surface, options_);
   if (show) std::cerr << "\r";
   write_surface(a_.output, surface, file_, file_.warnings);
-  after_ = to_json(surface);
+  if (wants_report()) after_ = to_json(surface);
   if (a_.measure || !a_.html.empty()) left_ = surface.triangles(source_);
   seconds_ = seconds();
 }
@@ -128,7 +129,7 @@ void Run::measure(Json& j) {
 }
 
 void Run::write_reports() {
-  if (a_.report.empty() && a_.html.empty()) return;
+  if (!wants_report()) return;
   Json j = decimation_json(a_, options_, result_);
   if (!levels_.empty()) j["levels"] = levels_;
   j["before"] = before_;

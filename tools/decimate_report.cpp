@@ -47,6 +47,7 @@ Json options_json(const DecimateArguments& a, const DecimateOptions& o) {
   j["curve_weight"] = o.curve_weight;
   j["seam_weight"] = o.seam_weight;
   j["uv_curve_weight"] = o.uv_curve_weight;
+  j["memory_weight"] = o.memory_weight;
   return j;
 }
 

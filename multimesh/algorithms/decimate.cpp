@@ -9,9 +9,11 @@
 
 #include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/decimation/collapse_cost.hpp"
-#include "multimesh/algorithms/decimation/distance_bounds.hpp"
 #include "multimesh/algorithms/decimation/shape_tests.hpp"
+#include "multimesh/algorithms/decimation/surface_distance.hpp"
+#include "multimesh/algorithms/decimation/texture_distance.hpp"
 #include "multimesh/algorithms/decimation/texture_orientation.hpp"
+#include "multimesh/algorithms/decimation/vertex_locks.hpp"
 #include "multimesh/algorithms/surface_invariants.hpp"
 #include "multimesh/scheduler.hpp"
 
@@ -39,40 +41,6 @@ std::string name_of(const Refusal& r) {
   return std::string(r.check == Check::invariant ? r.invariant : to_string(r.check));
 }
 
-/// Vertices that the options lock, for the time of a run.
-class VertexLocks {
- public:
-  VertexLocks(TexturedSurface& surface, const DecimateOptions& options) : surface_(surface) {
-    if (!options.lock_boundary && !options.lock_seams) return;
-    const Mesh& root = surface.tree().mesh(NodeId::root);
-    CurveKinds seams = no_curve;
-    for (std::size_t k = 0; k < surface.textures().size(); ++k) seams |= seam_of(k);
-    for (Index e = 0; e < root.capacity(1); ++e) {
-      if (!root.is_live(1, e)) continue;
-      const Dart d = root.dart_of(1, e);
-      if ((options.lock_boundary && root.is_boundary(d, 1)) ||
-          (options.lock_seams && (surface.curve_kinds(d) & seams)))
-        for (const Dart end : {d, root.switch_dart(d, 0)}) lock(root.vertex(end));
-    }
-  }
-  ~VertexLocks() {
-    for (const Index v : locked_)
-      if (surface_.tree().mesh(NodeId::root).is_live(0, v)) surface_.set_locked(v, false);
-  }
-  VertexLocks(const VertexLocks&) = delete;
-  VertexLocks& operator=(const VertexLocks&) = delete;
-
- private:
-  void lock(Index v) {
-    if (surface_.tree().mesh(NodeId::root).is_locked(v)) return;
-    surface_.set_locked(v, true);
-    locked_.push_back(v);
-  }
-
-  TexturedSurface& surface_;
-  std::vector<Index> locked_;
-};
-
 class Decimator {
  public:
   Decimator(TexturedSurface& surface, const DecimateOptions& options);
@@ -80,8 +48,8 @@ class Decimator {
 
   // The scheduler's policy.
   std::optional<double> cost(Dart e) const {
-    const auto plan = cost_.plan(e);
-    return plan ? std::optional(plan->cost) : std::nullopt;
+    CollapsePlan plan;
+    return cost_.plan(e, plan) ? std::optional(plan.cost) : std::nullopt;
   }
   Attempt apply(Dart e, double cost);
   bool finished(double next_cost);
@@ -167,7 +135,7 @@ Vec2d Decimator::merged_texcoord(std::size_t set, const VertexChange& c) const {
 void Decimator::add_tests() {
   const auto is_set = [](double limit) { return std::isfinite(limit); };
   if (is_set(options_.max_error))
-    tests_.push_back(std::make_unique<VertexDistance>(surface_, options_.max_error * diagonal_));
+    tests_.push_back(std::make_unique<SurfaceDistance>(surface_, options_.max_error * diagonal_));
   for (std::size_t k = 0; k < reader_.n_sets(); ++k)
     if (is_set(options_.max_texture_error))
       tests_.push_back(
@@ -220,10 +188,8 @@ Attempt Decimator::refuse(const std::string& reason) {
 }
 
 Attempt Decimator::apply(Dart e, double cost) {
-  const auto plan = cost_.plan(e);
-  if (!plan) return refuse(name_of({Check::gluing, NodeId::root, {}}));
-  if (plan->cost > cost * same_cost) return Attempt::postpone(plan->cost);
-  plan_ = *plan;
+  if (!cost_.plan(e, plan_)) return refuse(name_of({Check::gluing, NodeId::root, {}}));
+  if (plan_.cost > cost * same_cost) return Attempt::postpone(plan_.cost);
   star_.read(e);
   if (const PlacementTest* failed = choose_place(e)) return refuse(failed->name());
   if (plan_.cost > cost * same_cost) return Attempt::postpone(plan_.cost);
@@ -276,8 +242,7 @@ bool Decimator::finished(double) {
 std::string Decimator::what_keeps(Dart e) {
   const Refusal illegal = operations_.judge(NodeId::root, e).refusal;
   if (illegal.refused()) return name_of(illegal);
-  const auto plan = cost_.plan(e);
-  plan_ = plan ? *plan : cost_.plan_at(e, 0);
+  if (!cost_.plan(e, plan_)) plan_ = cost_.plan_at(e, 0);
   star_.read(e);
   if (const PlacementTest* failed = choose_place(e)) return failed->name();
   Transaction trial = operations_.transaction();  // never committed
@@ -320,7 +285,7 @@ void check_options(const DecimateOptions& o) {
   require(o.max_normal_deviation >= 0, "max_normal_deviation must not be negative");
   require(o.max_normal_turn >= 0 && o.max_normal_turn < std::numbers::pi, "max_normal_turn must be in [0, pi)");
   require(o.max_aspect_ratio >= 2 / std::sqrt(3.0), "max_aspect_ratio must be at least 1.155");
-  for (const double w : {o.uv_weight, o.curve_weight, o.seam_weight, o.uv_curve_weight})
+  for (const double w : {o.uv_weight, o.curve_weight, o.seam_weight, o.uv_curve_weight, o.memory_weight})
     require(w >= 0 && std::isfinite(w), "weights must be finite and not negative");
   for (std::size_t i = 0; i < o.levels.size(); ++i)
     require(o.levels[i] > (i + 1 < o.levels.size() ? o.levels[i + 1] : o.faces),

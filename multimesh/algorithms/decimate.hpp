@@ -26,10 +26,12 @@ struct DecimateOptions {
   std::function<void(std::size_t level)> on_level = {};
 
   // --- bounds; lengths are relative to the diagonal of the bounding box
-  /// No vertex of the surface as it was given is farther than this from the surface that is left. Guaranteed
-  /// for vertices; points inside triangles are not looked at.
+  /// No point of the surface as it was given to this call, insides of triangles included, is farther than this
+  /// from the surface that is left, and no vertex of that is farther from the surface as it was. Guaranteed;
+  /// in doubt, a collapse is refused.
   double max_error = std::numeric_limits<double>::infinity();
-  /// Each vertex of the texture is painted at most this far from its place. Guaranteed, as max_error is.
+  /// Each vertex of the texture is painted at most this far from its place. Guaranteed for vertices; points
+  /// inside triangles are not looked at.
   double max_texture_error = std::numeric_limits<double>::infinity();
   /// No normal deviates by more than this from those of the input's triangles merged into it; radians.
   double max_normal_deviation = std::numeric_limits<double>::infinity();
@@ -54,6 +56,9 @@ struct DecimateOptions {
   double seam_weight = 0.1;
   /// Weight of the edges of charts in the texture, beside uv_weight.
   double uv_curve_weight = 3;
+
+  /// Weight of the distance from the planes of the input beside that from the surface as it is by then.
+  double memory_weight = 0.3;
 
   /// Called about every thousand collapses with the number of triangles left; may throw to abandon the run.
   std::function<void(std::size_t faces)> progress = {};

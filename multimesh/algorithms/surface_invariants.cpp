@@ -27,6 +27,8 @@ bool CopiesStayApart::before(const Event& event) {
   collect_labelled_neighbours(mesh, stays, kept_);
   collect_labelled_neighbours(mesh, goes, gained_);
   const Index merged = mesh.vertex(stays);
+  // Faces that meet in an edge with a third one are held together by the fan around its ends: it stays closed.
+  if (mesh.is_locked(merged) && !mesh.is_boundary(stays, 0) && mesh.is_boundary(goes, 0)) return false;
   std::erase_if(gained_, [&](Index x) {
     return x == merged || std::find(kept_.begin(), kept_.end(), x) != kept_.end();
   });

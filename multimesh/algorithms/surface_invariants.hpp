@@ -9,8 +9,9 @@
 
 namespace multimesh {
 
-/// Keeps a surface that was cut so that its copies can be joined again without making new non-manifold edges:
-/// no two edges of different sheets may come to join the same two input vertices. Labelled vertices of the
+/// Keeps a surface that was cut so that its copies can be joined again without making new non-manifold edges, or
+/// more copies when it is read: no two edges of different sheets may come to join the same two input vertices,
+/// and no copy inside a sheet may come to its boundary. Labelled vertices of the
 /// root are copies; `source` says of which input vertex.
 class CopiesStayApart final : public Invariant {
  public:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace multimesh::decimation {
 
@@ -48,31 +49,64 @@ struct CollapseCost::Shape {
   }
 };
 
+/// Edge i of a triangle, and the direction in its plane that is orthogonal to it.
+struct CollapseCost::Edge {
+  double squared_length;
+  Vec3d across;
+
+  Edge(const SurfaceTriangle& t, const Shape& shape, std::size_t i) {
+    const Vec3d along = t.positions[(i + 1) % 3] - t.positions[i];
+    squared_length = along.sqrnorm();
+    if (squared_length > 0) across = cross(shape.normal, along) / std::sqrt(squared_length);
+  }
+};
+
 CollapseCost::CollapseCost(const TexturedSurface& surface, const DecimateOptions& options, Strata& strata,
                            const TriangleReader& reader)
-    : surface_(surface),
-      options_(options),
+    : options_(options),
       tree_(surface.tree()),
       root_(tree_.mesh(NodeId::root)),
       strata_(strata),
       reader_(reader),
+      positions_(surface.positions()),
       position_forms_(root_.capacity(0)) {
   for (const NodeId n : surface.textures()) {
-    sets_.push_back({n, std::vector<TextureForm>(tree_.mesh(n).capacity(0)),
+    sets_.push_back({n, surface.texcoords(sets_.size()), std::vector<TextureForm>(tree_.mesh(n).capacity(0)),
                      std::vector<Index>(root_.capacity(0), no_index)});
   }
+  const bool quadric = options_.cost == DecimateCost::quadric;
+  if (quadric && options_.memory_weight > 0) memory_.resize(root_.capacity(0));
   SurfaceTriangle t;
   for (Index f = 0; f < root_.capacity(2); ++f) {
     if (!root_.is_live(2, f)) continue;
     reader_.read(root_.dart_of(2, f), t);
-    if (options_.cost == DecimateCost::quadric) add(t, 1);
-    for (std::size_t k = 0; k < sets_.size(); ++k) {
-      if (t.sets[k].facet == no_index) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        Index& copy = sets_[k].only_copy[t.vertices[i]];
-        copy = copy == no_index || copy == t.sets[k].vertices[i] ? t.sets[k].vertices[i] : several;
-      }
+    if (quadric) add(t, 1);
+    if (!memory_.empty()) remember(t);
+    note_copies(t);
+  }
+}
+
+void CollapseCost::note_copies(const SurfaceTriangle& t) {
+  for (std::size_t k = 0; k < sets_.size(); ++k) {
+    if (t.sets[k].facet == no_index) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      Index& copy = sets_[k].only_copy[t.vertices[i]];
+      copy = copy == no_index || copy == t.sets[k].vertices[i] ? t.sets[k].vertices[i] : several;
     }
+  }
+}
+
+void CollapseCost::remember(const SurfaceTriangle& t) {
+  const Shape shape(t, 0);
+  if (shape.weight == 0) return;
+  for (const Index v : t.vertices) memory_[v].add_plane(shape.normal, options_.memory_weight * shape.weight);
+  if (!t.has_curves) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(t.curve_weights[i] > 0)) continue;
+    const Edge edge(t, shape, i);
+    if (!(edge.squared_length > 0)) continue;
+    const double weight = options_.memory_weight * t.curve_weights[i] * edge.squared_length;
+    for (const std::size_t corner : {i, (i + 1) % 3}) memory_[t.vertices[corner]].add_plane(edge.across, weight);
   }
 }
 
@@ -102,19 +136,17 @@ void CollapseCost::add(const SurfaceTriangle& t, double sign) {
 void CollapseCost::add_curves(const SurfaceTriangle& t, const Shape& shape, double sign) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
-    const Vec3d along = t.positions[j] - t.positions[i];
-    const double squared_length = along.sqrnorm();
-    if (!(squared_length > 0)) continue;
-    const Vec3d across = cross(shape.normal, along) / std::sqrt(squared_length);
+    const Edge edge(t, shape, i);
+    if (!(edge.squared_length > 0)) continue;
     if (t.curve_weights[i] > 0) {
-      const PositionForm form = PositionForm::plane(across, t.curve_weights[i] * squared_length);
+      const PositionForm form = PositionForm::plane(edge.across, t.curve_weights[i] * edge.squared_length);
       position_forms_[t.vertices[i]].add(form, sign);
       position_forms_[t.vertices[j]].add(form, sign);
     }
     for (std::size_t k = 0; k < sets_.size(); ++k) {
       if (!shape.has_texture[k] || !t.sets[k].open[i]) continue;
-      const double weight = options_.uv_weight * options_.uv_curve_weight * squared_length;
-      const double u = dot(across, shape.du[k]), v = dot(across, shape.dv[k]);
+      const double weight = options_.uv_weight * options_.uv_curve_weight * edge.squared_length;
+      const double u = dot(edge.across, shape.du[k]), v = dot(edge.across, shape.dv[k]);
       const TextureForm form{0, 0, 0, 0, 0, 0, weight * u * u, weight * u * v, weight * v * v};
       sets_[k].forms[t.sets[k].vertices[i]].add(form, sign);
       sets_[k].forms[t.sets[k].vertices[j]].add(form, sign);
@@ -142,61 +174,89 @@ void CollapseCost::find_copies(Dart e, CollapsePlan& plan) const {
 }
 
 double CollapseCost::deviation(const CollapsePlan& plan) const {
-  const Vec3d from_a = plan.position - surface_.positions()[plan.a];
-  const Vec3d from_b = plan.position - surface_.positions()[plan.b];
-  double sum = 0;
+  const Vec3d from_a = plan.position - plan.at_a, from_b = plan.position - plan.at_b;
+  double sum = memory_.empty() ? 0 : memory_[plan.a](from_a) + memory_[plan.b](from_b);
   if (plan.moves(End::a)) sum += position_forms_[plan.a](from_a);
   if (plan.moves(End::b)) sum += position_forms_[plan.b](from_b);
   for (const CollapsePlan::Copy& c : plan.copies()) {
-    const auto& texcoords = surface_.texcoords(c.set);
+    const auto& texcoords = sets_[c.set].texcoords;
     if (plan.moves(End::a)) sum += sets_[c.set].forms[c.a](from_a, c.texcoord - texcoords[c.a]);
     if (plan.moves(End::b)) sum += sets_[c.set].forms[c.b](from_b, c.texcoord - texcoords[c.b]);
   }
-  const Vec3d edge = surface_.positions()[plan.b] - surface_.positions()[plan.a];
   const double area = position_forms_[plan.a].trace() + position_forms_[plan.b].trace();
-  return std::max(sum, 0.0) + length_cost * area * edge.sqrnorm();
+  return std::max(sum, 0.0) + length_cost * area * (plan.at_b - plan.at_a).sqrnorm();
+}
+
+void CollapseCost::start(Dart e, CollapsePlan& plan) const {
+  std::array<Index, 4> v;
+  root_.vertices(e, v.data());
+  plan.a = v[0];
+  plan.b = v[1];
+  plan.at_a = positions_[plan.a];
+  plan.at_b = positions_[plan.b];
 }
 
 CollapsePlan CollapseCost::plan_at(Dart e, double t) const {
   CollapsePlan plan;
-  plan.a = root_.vertex(e);
-  plan.b = root_.vertex(root_.reorder(e, exchange_ends));
+  start(e, plan);
+  put_at(e, t, plan);
+  return plan;
+}
+
+void CollapseCost::put_at(Dart e, double t, CollapsePlan& plan) const {
   plan.t = t;
   find_copies(e, plan);
   const auto between = [t](const auto& values, Index a, Index b) {
     return t <= 0 ? values[a] : t >= 1 ? values[b] : values[a] * (1 - t) + values[b] * t;
   };
-  plan.position = between(surface_.positions(), plan.a, plan.b);
-  for (CollapsePlan::Copy& c : plan.copies()) c.texcoord = between(surface_.texcoords(c.set), c.a, c.b);
+  plan.position = between(positions_, plan.a, plan.b);
+  for (CollapsePlan::Copy& c : plan.copies()) c.texcoord = between(sets_[c.set].texcoords, c.a, c.b);
   plan.cost = options_.cost == DecimateCost::quadric
                   ? deviation(plan)
-                  : (surface_.positions()[plan.a] - surface_.positions()[plan.b]).sqrnorm();
-  return plan;
+                  : (plan.at_a - plan.at_b).sqrnorm();
 }
 
 std::optional<CollapsePlan> CollapseCost::plan(Dart e) const {
-  CollapsePlan plan;
-  plan.a = root_.vertex(e);
-  plan.b = root_.vertex(root_.reorder(e, exchange_ends));
-  if (!strata_.may_collapse(e, plan.a, plan.b)) return std::nullopt;
+  std::optional<CollapsePlan> result(std::in_place);
+  if (!plan(e, *result)) result.reset();
+  return result;
+}
+
+bool CollapseCost::plan(Dart e, CollapsePlan& plan) const {
+  start(e, plan);
+  if (!strata_.may_collapse(e, plan.a, plan.b)) return false;
   const Rank a = strata_.rank(plan.a), b = strata_.rank(plan.b);
-  if (a != b) return plan_at(e, a > b ? 0 : 1);
-  if (options_.cost == DecimateCost::length) return plan_at(e, 0.5);
-  find_copies(e, plan);
-  minimize(plan);
-  return plan;
+  if (a != b) {
+    put_at(e, a > b ? 0 : 1, plan);
+  } else if (options_.cost == DecimateCost::length) {
+    put_at(e, 0.5, plan);
+  } else {
+    find_copies(e, plan);
+    minimize(plan);
+  }
+  // Coordinates so large that squares overflow: such an edge comes last.
+  if (!std::isfinite(plan.cost)) {
+    put_at(e, 0.5, plan);
+    plan.cost = std::numeric_limits<double>::max();
+  }
+  return true;
 }
 
 // With x and y the displacements from the middle of the edge, in space and in each copy, the deviation is
 // x'Ax + 2 f.x + sum over copies (2 x'My + y'Sy + 2 g.y) and a constant. Texture coordinates are eliminated copy
 // by copy: the best ones are linear in x.
 void CollapseCost::minimize(CollapsePlan& plan) const {
-  const Vec3d &pa = surface_.positions()[plan.a], &pb = surface_.positions()[plan.b];
-  const Vec3d half = (pb - pa) * 0.5;
+  const Vec3d half = (plan.at_b - plan.at_a) * 0.5;
   const PositionForm &form_a = position_forms_[plan.a], &form_b = position_forms_[plan.b];
   PositionForm A = form_a + form_b;
   const double area = A.trace(), pull = pull_to_middle * area;
   Vec3d f = (form_a - form_b).times(half);
+  if (!memory_.empty()) {
+    const PlanesForm &in_a = memory_[plan.a], &in_b = memory_[plan.b];
+    const PositionForm quadratic_a = in_a.quadratic(), quadratic_b = in_b.quadratic();
+    A.add(quadratic_a + quadratic_b, 1);
+    f += (quadratic_a - quadratic_b).times(half) + in_a.linear() + in_b.linear();
+  }
   A.add(PositionForm::point(pull), 1);
 
   struct Elimination {
@@ -207,7 +267,7 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
   std::array<Elimination, 2 * max_sets> eliminations;
   for (std::size_t i = 0; i < plan.n_copies; ++i) {
     const CollapsePlan::Copy& copy = plan.copy_list[i];
-    const auto& texcoords = surface_.texcoords(copy.set);
+    const auto& texcoords = sets_[copy.set].texcoords;
     const Vec2d half_y = (texcoords[copy.b] - texcoords[copy.a]) * 0.5;
     const TextureForm &in_a = sets_[copy.set].forms[copy.a], &in_b = sets_[copy.set].forms[copy.b];
     const TextureForm sum = in_a + in_b, difference = in_a - in_b;
@@ -235,10 +295,10 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
   const double squared_half = half.sqrnorm();
   // Off the ends, where the vertex would count as not moved.
   plan.t = std::clamp(0.5 + (squared_half > 0 ? 0.5 * dot(x, half) / squared_half : 0), 1e-3, 1 - 1e-3);
-  plan.position = (pa + pb) * 0.5 + x;
+  plan.position = (plan.at_a + plan.at_b) * 0.5 + x;
   for (std::size_t i = 0; i < plan.n_copies; ++i) {
     CollapsePlan::Copy& copy = plan.copy_list[i];
-    const auto& texcoords = surface_.texcoords(copy.set);
+    const auto& texcoords = sets_[copy.set].texcoords;
     const Elimination& e = eliminations[i];
     copy.texcoord = e.possible ? (texcoords[copy.a] + texcoords[copy.b]) * 0.5 +
                                      Vec2d(dot(e.u, x) + e.constant[0], dot(e.v, x) + e.constant[1])
@@ -272,6 +332,15 @@ void CollapseCost::collapsed(const PredictedStar& star, const CollapsePlan& plan
   const Index stays = kept == End::a ? plan.a : plan.b, goes = kept == End::a ? plan.b : plan.a;
   strata_.merge(stays, goes);
   if (options_.cost != DecimateCost::quadric) return;
+  replace_triangles(star, plan, kept);
+  if (memory_.empty()) return;
+  memory_[plan.a].move(plan.position - plan.at_a);
+  memory_[plan.b].move(plan.position - plan.at_b);
+  memory_[stays].merge(memory_[goes]);
+}
+
+void CollapseCost::replace_triangles(const PredictedStar& star, const CollapsePlan& plan, End kept) {
+  const Index stays = kept == End::a ? plan.a : plan.b, goes = kept == End::a ? plan.b : plan.a;
   const auto faces = star.faces();
   // A triangle that stays as it is can still get a curve.
   const bool curves = std::any_of(faces.begin(), faces.end(), [](const auto& f) { return f.before.has_curves; });

@@ -19,6 +19,10 @@ namespace multimesh::decimation {
 /// no weight depends on the scale of the model or of its texture. Memoryless (Lindstrom & Turk 1998): a vertex
 /// of the current surface deviates by nothing, so that its form has no linear part, and what is kept per
 /// vertex is the sum over its triangles. Curves add planes through their edges.
+///
+/// Memoryless, thin parts may be eaten up in many small steps, none of which costs much. So the distance from
+/// the planes of the input that were merged into a vertex (Garland & Heckbert 1997) counts too, by
+/// `memory_weight`.
 class CollapseCost {
  public:
   /// Cost: linear.
@@ -27,6 +31,8 @@ class CollapseCost {
 
   /// The best plan; nothing if the ranks of the ends tell that no collapse of this edge is legal.
   std::optional<CollapsePlan> plan(Dart e) const;
+  /// The same into a plan of the caller's; false if there is none.
+  bool plan(Dart e, CollapsePlan& plan) const;
   /// The plan that puts the merged vertex on the edge, at (1-t) a + t b.
   CollapsePlan plan_at(Dart e, double t) const;
 
@@ -35,22 +41,30 @@ class CollapseCost {
 
  private:
   struct Shape;
+  struct Edge;
 
+  void start(Dart e, CollapsePlan& plan) const;
+  void put_at(Dart e, double t, CollapsePlan& plan) const;
   void find_copies(Dart e, CollapsePlan& plan) const;
   double deviation(const CollapsePlan& plan) const;
   void minimize(CollapsePlan& plan) const;
   void add(const SurfaceTriangle& t, double sign);
   void add_curves(const SurfaceTriangle& t, const Shape& shape, double sign);
+  void remember(const SurfaceTriangle& t);
+  void note_copies(const SurfaceTriangle& t);
+  void replace_triangles(const PredictedStar& star, const CollapsePlan& plan, End kept);
 
-  const TexturedSurface& surface_;
   const DecimateOptions& options_;
   const MultiMesh& tree_;
   const Mesh& root_;
   Strata& strata_;
   const TriangleReader& reader_;
+  const std::vector<OpenMesh::Vec3d>& positions_;
   std::vector<PositionForm> position_forms_;  ///< per vertex of the surface
+  std::vector<PlanesForm> memory_;            ///< the same; empty if its weight is 0
   struct Set {
     NodeId node;
+    const std::vector<OpenMesh::Vec2d>& texcoords;
     std::vector<TextureForm> forms;  ///< per vertex of the texture
     std::vector<Index> only_copy;    ///< per vertex of the surface: its one copy here, if it has just one
   };

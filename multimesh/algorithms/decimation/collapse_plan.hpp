@@ -22,6 +22,7 @@ struct CollapsePlan {
   };
 
   Index a = no_index, b = no_index;  ///< vertices of the surface
+  OpenMesh::Vec3d at_a, at_b;        ///< where they are
   double cost = 0;                   ///< squared deviation, integrated: length^2 x area
   /// The merged vertex has the values of (1-t) a + t b, but for its position and texture coordinates, which
   /// are these:

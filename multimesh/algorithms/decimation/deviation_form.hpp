@@ -86,4 +86,38 @@ struct TextureForm {
   }
 };
 
+/// x'Ax + 2 b.x + c, x the displacement from a vertex: squared distances from planes that need not pass through
+/// it. In single precision: it is only ever added to, and guides where exactness does not matter.
+class PlanesForm {
+ public:
+  void add_plane(const Vec3d& n, double weight) {
+    const PositionForm f = PositionForm::plane(n, weight);
+    add(f.xx, f.xy, f.xz, f.yy, f.yz, f.zz);
+  }
+  PositionForm quadratic() const { return {a_[0], a_[1], a_[2], a_[3], a_[4], a_[5]}; }
+  Vec3d linear() const { return {b_[0], b_[1], b_[2]}; }
+  double operator()(const Vec3d& x) const { return quadratic()(x) + 2 * dot(linear(), x) + c_; }
+
+  /// The same planes, seen from a vertex that has moved by x.
+  void move(const Vec3d& x) {
+    const Vec3d b = linear() + quadratic().times(x);
+    c_ = static_cast<float>((*this)(x));
+    for (std::size_t i = 0; i < 3; ++i) b_[i] = static_cast<float>(b[i]);
+  }
+  void merge(const PlanesForm& f) {
+    for (std::size_t i = 0; i < 6; ++i) a_[i] += f.a_[i];
+    for (std::size_t i = 0; i < 3; ++i) b_[i] += f.b_[i];
+    c_ += f.c_;
+  }
+
+ private:
+  template <class... Entries>
+  void add(Entries... entries) {
+    std::size_t i = 0;
+    ((a_[i++] += static_cast<float>(entries)), ...);
+  }
+
+  float a_[6] = {}, b_[3] = {}, c_ = 0;
+};
+
 }  // namespace multimesh::decimation

@@ -19,7 +19,7 @@ class PlacementTest {
   const std::string& name() const noexcept { return name_; }
   /// \pre star.place(plan) was called
   virtual bool allows(const PredictedStar& star, const CollapsePlan& plan) = 0;
-  /// Called after the collapse, if the test keeps something per triangle. `kept` is the vertex that is left.
+  /// Called after the collapse, if the test keeps something per triangle.
   virtual void collapsed(const PredictedStar&, const CollapsePlan&) {}
 
  private:

@@ -5,14 +5,20 @@
 
 namespace multimesh::decimation {
 
+CurveKinds seam_kinds(const TexturedSurface& surface) {
+  CurveKinds kinds = no_curve;
+  for (std::size_t k = 0; k < surface.textures().size(); ++k) kinds |= seam_of(k);
+  return kinds;
+}
+
 Strata::Strata(const TexturedSurface& surface, const DecimateOptions& options)
     : surface_(surface),
       tree_(surface.tree()),
       root_(tree_.mesh(NodeId::root)),
       curve_weight_(options.curve_weight),
       seam_weight_(options.seam_weight),
+      seam_kinds_(seam_kinds(surface)),
       ranks_(root_.capacity(0), Rank::free) {
-  for (std::size_t k = 0; k < surface.textures().size(); ++k) seam_kinds_ |= seam_of(k);
   rank_curves();
   rank_fixed_points();
 }

@@ -10,6 +10,9 @@ namespace multimesh::decimation {
 /// How much a vertex is bound: of two, the merged vertex is the one that is bound more.
 enum class Rank : std::uint8_t { free, on_curve, fixed };
 
+/// The kinds of curves that are seams, of all UV sets.
+CurveKinds seam_kinds(const TexturedSurface& surface);
+
 /// The curves of a surface, boundary included, as decimation sees them. Ranks follow from what legality
 /// holds: they tell it beforehand, cheaply.
 class Strata {
@@ -35,7 +38,7 @@ class Strata {
   const MultiMesh& tree_;
   const Mesh& root_;
   double curve_weight_, seam_weight_;
-  CurveKinds seam_kinds_ = no_curve;
+  CurveKinds seam_kinds_;
   std::vector<Rank> ranks_;
 };
 

@@ -7,11 +7,12 @@
 namespace multimesh::decimation {
 
 TriangleReader::TriangleReader(const TexturedSurface& surface, const Strata& strata)
-    : surface_(surface),
-      strata_(strata),
+    : strata_(strata),
       tree_(surface.tree()),
-      root_(tree_.mesh(NodeId::root)) {
-  for (const NodeId n : surface.textures()) textures_.push_back(n);
+      root_(tree_.mesh(NodeId::root)),
+      positions_(surface.positions()) {
+  for (const NodeId n : surface.textures())
+    textures_.push_back({n, &tree_.mesh(n), &surface.texcoords(textures_.size())});
   if (textures_.size() > max_sets)
     throw InputError("decimate: " + std::to_string(textures_.size()) + " UV sets; at most " +
                      std::to_string(max_sets) + " are supported");
@@ -23,21 +24,20 @@ void TriangleReader::read(Dart d, SurfaceTriangle& t) const {
   t.facet = root_.facet(d);
   for (std::size_t i = 0; i < 3; ++i) {
     t.vertices[i] = v[i];
-    t.positions[i] = surface_.positions()[v[i]];
+    t.positions[i] = positions_[v[i]];
   }
   std::array<Dart, max_sets> copies;
   for (std::size_t k = 0; k < n_sets(); ++k) {
     SurfaceTriangle::Textured& set = t.sets[k];
-    copies[k] = tree_.facet_copy(textures_[k], d);
+    const auto& [node, texture, texcoords] = textures_[k];
+    copies[k] = tree_.facet_copy(node, d);
     set.facet = no_index;
     if (copies[k] == no_dart) continue;
-    const Mesh& texture = tree_.mesh(textures_[k]);
-    const auto& texcoords = surface_.texcoords(k);
-    set.facet = texture.facet(copies[k]);
-    texture.vertices(copies[k], v.data());
+    set.facet = texture->facet(copies[k]);
+    texture->vertices(copies[k], v.data());
     for (std::size_t i = 0; i < 3; ++i) {
       set.vertices[i] = v[i];
-      set.texcoords[i] = texcoords[v[i]];
+      set.texcoords[i] = (*texcoords)[v[i]];
     }
   }
   read_curves(d, copies, t);
@@ -55,7 +55,7 @@ void TriangleReader::read_curves(Dart d, const std::array<Dart, max_sets>& copie
     t.has_curves |= t.curve_weights[i] > 0;
     for (std::size_t k = 0; k < n_sets(); ++k) {
       if (t.sets[k].facet == no_index) continue;
-      const Mesh& texture = tree_.mesh(textures_[k]);
+      const Mesh& texture = *textures_[k].mesh;
       t.sets[k].open[i] = candidate && texture.is_boundary(texture.reorder(copies[k], edges[i]), 1);
       t.has_curves |= t.sets[k].open[i];
     }

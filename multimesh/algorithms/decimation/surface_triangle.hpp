@@ -45,11 +45,16 @@ class TriangleReader {
  private:
   void read_curves(Dart d, const std::array<Dart, max_sets>& copies, SurfaceTriangle& triangle) const;
 
-  const TexturedSurface& surface_;
   const Strata& strata_;
   const MultiMesh& tree_;
   const Mesh& root_;
-  std::vector<NodeId> textures_;
+  const std::vector<OpenMesh::Vec3d>& positions_;
+  struct Texture {
+    NodeId node;
+    const Mesh* mesh;
+    const std::vector<OpenMesh::Vec2d>* texcoords;
+  };
+  std::vector<Texture> textures_;
 };
 
 }  // namespace multimesh::decimation

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "multimesh/closest_point.hpp"
+#include "multimesh/dart.hpp"
+
+namespace multimesh::decimation {
+
+/// A few triangles that are asked together which of them are within a distance of a point. A triangle is
+/// convex and so is the distance from it: if it is near the corners of another one, then it is near all of
+/// that.
+class NearTriangles {
+ public:
+  using Mask = std::uint64_t;  ///< bit i stands for triangle i
+  static constexpr std::size_t capacity = 64;
+
+  struct Near {
+    Mask mask = 0;
+    std::size_t nearest = 0;  ///< of those in the mask
+  };
+
+  explicit NearTriangles(double distance) : distance_(distance), squared_distance_(distance * distance) {}
+
+  std::size_t size() const { return size_; }
+  Index name(std::size_t i) const { return entries_[i].name; }
+  /// \pre size() < capacity
+  void add(Index name, const spatial::Triangle& triangle);
+  /// Forgets all but the first n.
+  void shrink(std::size_t n) { size_ = n; }
+
+  /// Of the triangles from `first` on, those near p; for one at that very distance, rounding decides.
+  Near near(const spatial::Point& p, std::size_t first = 0) const;
+  /// On the way from p to q, t = 0 to 1: the last t at which one of these triangles that p is above or below
+  /// is left; 0 if there is none, 1 if one reaches as far as q.
+  double leaves(Mask triangles, const spatial::Point& p, const spatial::Point& q) const;
+
+ private:
+  /// A triangle with unit vectors, or 0 if it has no area: its normal, and those in its plane that point
+  /// outwards across edge i, which goes from corner i to i+1.
+  struct Entry {
+    Index name;
+    spatial::Triangle triangle;
+    spatial::Point normal;
+    std::array<spatial::Point, 3> outward;
+    bool is_fat;  ///< enough for the normal to be exact
+  };
+  static Entry entry(Index name, const spatial::Triangle& triangle);
+  static double leaves(const Entry& e, const spatial::Point& p, const spatial::Point& q);
+  double squared_distance(const Entry& e, const spatial::Point& p) const;
+
+  double distance_, squared_distance_;
+  std::size_t size_ = 0;
+  std::array<Entry, capacity> entries_;
+};
+
+}  // namespace multimesh::decimation

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/decimation/surface_distance.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace multimesh::decimation {
+
+using OpenMesh::Vec3d;
+
+namespace {
+
+/// How often a triangle of the input is cut in two until each part has one witness near all of it. Ten cuts,
+/// if all are in the middle, make parts of 1/32 of the size; more were not seen to help.
+constexpr int max_bisections = 10;
+
+spatial::Point point(const Vec3d& p) {
+  return {p[0], p[1], p[2]};
+}
+
+double squared_distance(const spatial::Point& p, const spatial::Point& q) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += (p[i] - q[i]) * (p[i] - q[i]);
+  return sum;
+}
+
+spatial::Point between(const spatial::Point& p, const spatial::Point& q, double t) {
+  return {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])};
+}
+
+/// Of the candidates near all of a part, one that is the nearest at a corner, if possible: what moves away
+/// least will serve longest.
+NearTriangles::Mask choose(NearTriangles::Mask near_all, const std::array<std::size_t, 3>& nearest) {
+  for (const std::size_t n : nearest)
+    if (const NearTriangles::Mask m = NearTriangles::Mask{1} << n; near_all & m) return m;
+  return near_all & (~near_all + 1);
+}
+
+Witnesses::Set only(Index witness) {
+  Witnesses::Set set;
+  set.fill(no_index);
+  set[0] = witness;
+  return set;
+}
+
+}  // namespace
+
+SurfaceDistance::SurfaceDistance(const TexturedSurface& surface, double bound)
+    : PlacementTest("maximal error"),
+      surface_(surface),
+      root_(surface.tree().mesh(NodeId::root)),
+      squared_bound_(bound * bound),
+      triangles_(root_.capacity(2)),
+      witnesses_(root_.capacity(2)),
+      candidates_(bound) {
+  for (const Vec3d& p : surface.positions()) vertices_.push_back({point(p), 0, {}});
+  for (Index t = 0; t < root_.capacity(2); ++t) {
+    if (!root_.is_live(2, t)) continue;
+    root_.vertices(root_.dart_of(2, t), triangles_[t].vertices.data());
+    witnesses_.set(t, only(t));
+  }
+}
+
+bool SurfaceDistance::allows(const PredictedStar& star, const CollapsePlan& plan) {
+  ++plan_;
+  moves_.clear();
+  undecided_.clear();
+  read_candidates(star);
+  if (!find_witnesses(star)) return false;
+  const bool is_new_place = plan.moves(End::a) && plan.moves(End::b);
+  return !is_new_place || is_near_input(star, plan.position);
+}
+
+void SurfaceDistance::collapsed(const PredictedStar&, const CollapsePlan&) {
+  for (const Move& m : moves_) witnesses_.set(m.input, m.witnesses);
+}
+
+// Those that change come first: a huge star may have more than there is room for. Leaving some out is safe.
+void SurfaceDistance::read_candidates(const PredictedStar& star) {
+  constexpr std::size_t room = NearTriangles::capacity - Witnesses::most;
+  candidates_.shrink(0);
+  for (const bool changes : {true, false})
+    for (const PredictedStar::Face& f : star.faces()) {
+      if (f.dies || f.changes != changes || candidates_.size() == room) continue;
+      const auto p = f.positions_after();
+      candidates_.add(f.before.facet, {point(p[0]), point(p[1]), point(p[2])});
+    }
+  in_star_ = candidates_.size();
+}
+
+// Most plans that fail do so at a vertex of the input: the search that takes long comes last.
+bool SurfaceDistance::find_witnesses(const PredictedStar& star) {
+  for (const PredictedStar::Face& f : star.faces())
+    if (f.changes && !witnesses_.all_of(f.before.facet, [this](Index t) { return find_one(t); }))
+      return false;
+  return std::all_of(undecided_.begin(), undecided_.end(), [&](Index t) { return find_several(star, t); });
+}
+
+/// The candidates in the star that are near a vertex of the input: found out once per plan.
+const NearTriangles::Near& SurfaceDistance::near(Vertex& v) {
+  if (v.plan != plan_) v.near = candidates_.near(v.position);
+  v.plan = plan_;
+  return v.near;
+}
+
+/// False only if there are no witnesses for this triangle. It may be met several times, once for each of
+/// those that change.
+bool SurfaceDistance::find_one(Index input) {
+  InputTriangle& t = triangles_[input];
+  if (t.plan == plan_) return true;
+  t.plan = plan_;
+  const bool may_have_others = witnesses_.of(input)[1] != no_index;
+  Mask near_all = ~Mask{0};
+  std::array<std::size_t, 3> nearest;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const NearTriangles::Near& at_corner = near(vertices_[t.vertices[i]]);
+    if (!at_corner.mask && !may_have_others) return false;
+    near_all &= at_corner.mask;
+    nearest[i] = at_corner.nearest;
+  }
+  if (near_all)
+    moves_.push_back({input, named(choose(near_all, nearest))});
+  else
+    undecided_.push_back(input);
+  return true;
+}
+
+bool SurfaceDistance::find_several(const PredictedStar& star, Index input) {
+  Part part;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vertex& v = vertices_[triangles_[input].vertices[i]];
+    part[i] = {v.position, near(v)};
+  }
+  add_witnesses_elsewhere(star, input);  // for this triangle only
+  for (Corner& c : part) c.near.mask |= candidates_.near(c.position, in_star_).mask;
+  Mask chosen = 0;
+  const bool found =
+      part[0].near.mask && part[1].near.mask && part[2].near.mask && cover(part, max_bisections, chosen);
+  if (found) moves_.push_back({input, named(chosen)});
+  candidates_.shrink(in_star_);
+  return found;
+}
+
+/// Witnesses that do not change, for they are not in the star.
+void SurfaceDistance::add_witnesses_elsewhere(const PredictedStar& star, Index input) {
+  for (const Index w : witnesses_.of(input)) {
+    const auto is_witness = [w](const PredictedStar::Face& f) { return f.before.facet == w; };
+    if (w == no_index || std::any_of(star.faces().begin(), star.faces().end(), is_witness)) continue;
+    std::array<Index, 3> v;
+    root_.vertices(root_.dart_of(2, w), v.data());
+    const auto& p = surface_.positions();
+    candidates_.add(w, {point(p[v[0]]), point(p[v[1]]), point(p[v[2]])});
+  }
+}
+
+/// Whether a part is near the union of the chosen candidates, of which more may be chosen as long as there
+/// are not too many.
+bool SurfaceDistance::cover(const Part& part, int bisections, Mask& chosen) const {
+  const Mask near_all = part[0].near.mask & part[1].near.mask & part[2].near.mask;
+  if (near_all & chosen) return true;
+  if (near_all && static_cast<std::size_t>(std::popcount(chosen)) < Witnesses::most) {
+    chosen |= choose(near_all, {part[0].near.nearest, part[1].near.nearest, part[2].near.nearest});
+    return true;
+  }
+  if (bisections == 0) return false;
+  const std::size_t i = edge_to_divide(part), j = (i + 1) % 3;
+  const Corner m = divide(part[i], part[j]);
+  if (!m.near.mask) return false;
+  Part at_i = part, at_j = part;
+  at_i[j] = at_j[i] = m;
+  return cover(at_i, bisections - 1, chosen) && cover(at_j, bisections - 1, chosen);
+}
+
+/// The longest of those that have no candidate near both ends, if there are such edges.
+std::size_t SurfaceDistance::edge_to_divide(const Part& part) {
+  std::size_t best = 0;
+  double longest = -1;
+  bool best_is_covered = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner &p = part[i], &q = part[(i + 1) % 3];
+    const bool is_covered = (p.near.mask & q.near.mask) != 0;
+    const double length = squared_distance(p.position, q.position);
+    if (is_covered == best_is_covered ? length <= longest : is_covered) continue;
+    best = i, longest = length, best_is_covered = is_covered;
+  }
+  return best;
+}
+
+/// A point of an edge: where it passes from candidates near p to others, for in a plane no other point will
+/// do; or its middle.
+SurfaceDistance::Corner SurfaceDistance::divide(const Corner& p, const Corner& q) const {
+  const auto at = [&](double t) {
+    const spatial::Point m = between(p.position, q.position, t);
+    return Corner{m, candidates_.near(m)};
+  };
+  if (!(p.near.mask & q.near.mask)) {
+    const double t = candidates_.leaves(p.near.mask, p.position, q.position);
+    const Corner m = at(t);
+    if (t > 0 && t < 1 && (m.near.mask & p.near.mask) && (m.near.mask & q.near.mask)) return m;
+  }
+  return at(0.5);
+}
+
+Witnesses::Set SurfaceDistance::named(Mask chosen) const {
+  Witnesses::Set set;
+  set.fill(no_index);
+  for (std::size_t i = 0; chosen != 0; chosen &= chosen - 1)
+    set[i++] = candidates_.name(static_cast<std::size_t>(std::countr_zero(chosen)));
+  return set;
+}
+
+/// Whether a place is near a triangle of the input, of those that are witnessed in the old star.
+bool SurfaceDistance::is_near_input(const PredictedStar& star, const Vec3d& position) const {
+  const spatial::Point p = point(position);
+  const auto is_far = [&](Index input) {
+    const auto& v = triangles_[input].vertices;
+    const spatial::Triangle t{vertices_[v[0]].position, vertices_[v[1]].position, vertices_[v[2]].position};
+    return !(spatial::closest_point(p, t).squared_distance <= squared_bound_);
+  };
+  return std::any_of(star.faces().begin(), star.faces().end(), [&](const PredictedStar::Face& f) {
+    return !witnesses_.all_of(f.before.facet, is_far);
+  });
+}
+
+}  // namespace multimesh::decimation
