@@ -4,28 +4,14 @@
 
 #include <algorithm>
 
-#include "adapters/io/obj_reader.hpp"
-#include "adapters/io/triangulate.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/validate.hpp"
 #include "test/algorithms/judge.hpp"
+#include "test/algorithms/rich_surface.hpp"
 
 namespace multimesh::test {
 namespace {
-
-const TexturedTriangles& spot() {
-  static const TexturedTriangles surface = [] {
-    const io::PolygonSoup soup = io::read_obj(MULTIMESH_EXAMPLE_DATA "/spot/spot.obj");
-    TexturedTriangles s;
-    for (const auto& p : soup.positions) s.positions.push_back({p[0], p[1], p[2]});
-    for (const auto& p : soup.texcoords) s.texcoords.push_back({p[0], p[1]});
-    for (const auto& t : io::triangulate(soup).triangles)
-      s.triangles.push_back({{{t[0].v, t[0].vt}, {t[1].v, t[1].vt}, {t[2].v, t[2].vt}}});
-    return s;
-  }();
-  return surface;
-}
 
 class DecimateSpot : public ::testing::TestWithParam<DecimateCost> {
  protected:

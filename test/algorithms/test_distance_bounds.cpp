@@ -6,8 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "adapters/io/obj_reader.hpp"
-#include "adapters/io/triangulate.hpp"
 #include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/decimation/near_triangles.hpp"
@@ -15,6 +13,7 @@
 #include "multimesh/closest_point.hpp"
 #include "multimesh/validate.hpp"
 #include "test/algorithms/made_surface.hpp"
+#include "test/algorithms/rich_surface.hpp"
 
 namespace multimesh::test {
 namespace {
@@ -170,19 +169,6 @@ std::vector<Named> surfaces() {
     list.push_back({"Rough" + made.name, rough(made.input, 0.005 * diagonal)});
   }
   return list;
-}
-
-const TexturedTriangles& spot() {
-  static const TexturedTriangles surface = [] {
-    const io::PolygonSoup soup = io::read_obj(MULTIMESH_EXAMPLE_DATA "/spot/spot.obj");
-    TexturedTriangles s;
-    for (const auto& p : soup.positions) s.positions.push_back({p[0], p[1], p[2]});
-    for (const auto& p : soup.texcoords) s.texcoords.push_back({p[0], p[1]});
-    for (const auto& t : io::triangulate(soup).triangles)
-      s.triangles.push_back({{{t[0].v, t[0].vt}, {t[1].v, t[1].vt}, {t[2].v, t[2].vt}}});
-    return s;
-  }();
-  return surface;
 }
 
 class MaximalError : public ::testing::TestWithParam<DecimateCost> {};
