@@ -27,7 +27,9 @@ oracle::Complex complex_of(const Mesh& mesh) {
   for (const Dart f : simplices_of(mesh, d)) {
     Index v[4] = {};
     mesh.vertices(f, v);
-    c.facets.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), d == 2 ? static_cast<int>(v[2]) : 0});
+    oracle::Facet facet{};
+    for (std::size_t i = 0; i < corners(d); ++i) facet[i] = static_cast<int>(v[i]);
+    c.facets.push_back(facet);
   }
   return c;
 }
@@ -78,20 +80,17 @@ std::unique_ptr<Tree> tree_from(const oracle::Tree& tree) {
     std::vector<Anchor> anchors;
     for (Index f = 0; f < lists[n].size(); ++f) {
       const auto v = lists[n].facet(f);
-      const auto image = [&](std::size_t i) {
-        return static_cast<Index>(tree.nodes[n].image.at(static_cast<int>(v[i])));
-      };
-      const Mesh& parent = result->tree->mesh(above);
-      anchors.push_back(
-          {dart_with(*mesh, f, v.data()), v.size() == 2 ? find_dart(parent, {image(0), image(1)})
-                                                        : find_dart(parent, {image(0), image(1), image(2)})});
+      std::vector<Index> image;
+      for (const Index vertex : v)
+        image.push_back(static_cast<Index>(tree.nodes[n].image.at(static_cast<int>(vertex))));
+      anchors.push_back({dart_with(*mesh, f, v.data()), find_dart(result->tree->mesh(above), image)});
     }
     result->add(result->tree->add_child(above, std::move(mesh), anchors));
   }
   return result;
 }
 
-Dart find_dart(const Mesh& mesh, std::initializer_list<Index> vertices) {
+Dart find_dart(const Mesh& mesh, std::span<const Index> vertices) {
   Index v[4] = {};
   for (const Dart d : all_darts(mesh)) {
     mesh.vertices(d, v);
@@ -138,9 +137,10 @@ PlainTree plain(const oracle::Tree& tree, const std::vector<std::map<int, int>>&
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     oracle::SimplexSet facets;
     for (std::size_t f = 0; f < tree.nodes[n].mesh.facets.size(); ++f) {
-      const oracle::Simplex s = oracle::facet_simplex(tree.nodes[n].mesh, f);
-      facets.push_back(s.n == 2 ? oracle::simplex({name(n, s.v[0]), name(n, s.v[1])})
-                                : oracle::simplex({name(n, s.v[0]), name(n, s.v[1]), name(n, s.v[2])}));
+      oracle::Simplex s;
+      for (std::size_t i = 0; i < corners(tree.nodes[n].mesh.dim); ++i)
+        s = oracle::joined(s, name(n, tree.nodes[n].mesh.facets[f][i]));
+      facets.push_back(s);
     }
     std::sort(facets.begin(), facets.end());
     result.facets.push_back(std::move(facets));

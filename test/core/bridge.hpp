@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "multimesh/operations.hpp"
 #include "oracle/complex.hpp"
@@ -25,7 +26,10 @@ std::optional<FacetList> oriented(const oracle::Complex& complex);
 std::unique_ptr<Tree> tree_from(const oracle::Tree& tree);
 
 /// A live dart of the mesh whose first vertices are these; no_dart if there is none.
-Dart find_dart(const Mesh& mesh, std::initializer_list<Index> vertices);
+Dart find_dart(const Mesh& mesh, std::span<const Index> vertices);
+inline Dart find_dart(const Mesh& mesh, std::initializer_list<Index> vertices) {
+  return find_dart(mesh, std::span(vertices.begin(), vertices.size()));
+}
 
 /// One dart per live k-simplex.
 DartBuffer simplices_of(const Mesh& mesh, int k);

@@ -46,8 +46,7 @@ NodeId add_drawn(Tree& tree, NodeId parent, const FacetList& child, std::initial
   const Mesh& above = tree.tree->mesh(parent);
   std::vector<Index> facets;
   for (std::size_t f = 0; f < over.size(); ++f) {
-    const auto v = over.facet(f);
-    const Dart d = v.size() == 2 ? find_dart(above, {v[0], v[1]}) : find_dart(above, {v[0], v[1], v[2]});
+    const Dart d = find_dart(above, over.facet(f));
     if (d == no_dart)
       throw std::logic_error("facet " + std::to_string(f) + " of the drawn child lies nowhere");
     facets.push_back(above.facet(d));
