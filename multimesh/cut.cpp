@@ -10,7 +10,26 @@
 
 namespace multimesh {
 
+namespace detail {
+Cut cut_tetrahedra(const FacetList& facets);  // cut_tetrahedra.cpp
+}
+
 namespace {
+
+void refuse_degenerate(const FacetList& in) {
+  for (std::size_t f = 0; f < in.size(); ++f) {
+    const auto v = in.facet(f);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      if (v[i] >= in.vertices)
+        throw InputError("facet " + std::to_string(f) + " names vertex " + std::to_string(v[i]) + " of " +
+                         std::to_string(in.vertices));
+      for (std::size_t j = 0; j < i; ++j)
+        if (v[i] == v[j])
+          throw InputError("facet " + std::to_string(f) + " has vertex " + std::to_string(v[i]) +
+                           " twice; remove the degenerate facet");
+    }
+  }
+}
 
 /// Side c of a triangle joins its corners c and next(c).
 Index next(Index c) {
@@ -26,7 +45,6 @@ class Cutter {
       : in_(in), options_(options), n_(in.corners_per_facet()), alone_(in.size(), false) {}
 
   Cut run() {
-    refuse_degenerate();
     // Each round takes at least one more facet out of its neighbourhood.
     do {
       partner_.assign(in_.corners.size(), no_index);
@@ -38,21 +56,6 @@ class Cutter {
   }
 
  private:
-  void refuse_degenerate() const {
-    for (std::size_t f = 0; f < in_.size(); ++f) {
-      const auto v = in_.facet(f);
-      for (std::size_t i = 0; i < n_; ++i) {
-        if (v[i] >= in_.vertices)
-          throw InputError("facet " + std::to_string(f) + " names vertex " + std::to_string(v[i]) + " of " +
-                           std::to_string(in_.vertices));
-        for (std::size_t j = 0; j < i; ++j)
-          if (v[i] == v[j])
-            throw InputError("facet " + std::to_string(f) + " has vertex " + std::to_string(v[i]) +
-                             " twice; remove the degenerate facet");
-      }
-    }
-  }
-
   void join_edges() {
     std::vector<std::array<Index, 2>> at;  // vertex, corner
     for (Index c = 0; c < in_.corners.size(); ++c)
@@ -273,9 +276,10 @@ class Cutter {
 }  // namespace
 
 Cut cut(const FacetList& facets, const CutOptions& options) {
-  if (facets.dimension < 1 || facets.dimension > 2)
-    throw InputError("cut: dimension " + std::to_string(facets.dimension) + " is not 1 or 2");
-  return Cutter(facets, options).run();
+  if (facets.dimension < 1 || facets.dimension > 3)
+    throw InputError("cut: dimension " + std::to_string(facets.dimension) + " is not 1, 2 or 3");
+  refuse_degenerate(facets);
+  return facets.dimension == 3 ? detail::cut_tetrahedra(facets) : Cutter(facets, options).run();
 }
 
 }  // namespace multimesh

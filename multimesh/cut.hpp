@@ -34,11 +34,14 @@ struct CutOptions {
   std::function<bool(Index vertex)> ends_at;
 };
 
-/// Cuts edges or triangles into a manifold mesh that is a proper simplicial complex. Triangles stay joined
-/// across edges with just two of them and are re-oriented to agree; edges with three or more, pinched
-/// vertices and places where no orientation agrees come apart. Edges stay joined at vertices with just two
-/// of them. Facets with the same vertices come apart. Cost: sorting. \throw InputError for a facet that
-/// repeats a vertex, naming it
+/// Cuts edges, triangles or tetrahedra into a manifold mesh that is a proper simplicial complex. Triangles
+/// stay joined across edges with just two of them and are re-oriented to agree; edges with three or more,
+/// pinched vertices and places where no orientation agrees come apart. Edges stay joined at vertices with
+/// just two of them. Tetrahedra stay joined across faces with just two of them and are re-oriented to agree;
+/// vertices and edges come apart where the tetrahedra around them do not hang together by faces. Facets with
+/// the same vertices come apart. Where no renumbering of vertices can separate two simplices with the same
+/// vertices, facets around one of them are taken out of their neighbourhood. Cost: sorting. \throw InputError
+/// for a facet that repeats a vertex, naming it
 Cut cut(const FacetList& facets, const CutOptions& options = {});
 
 }  // namespace multimesh

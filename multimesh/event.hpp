@@ -25,8 +25,8 @@ struct Event {
   const MultiMesh& tree;
   Operation operation;
   const Copies& copies;
-  /// Where on the edge the new or merged vertex lies: the point (1-t) a + t b, in every mesh the same, so that
-  /// attributes never come apart. Those with a rule of their own may go elsewhere: ask them
+  /// Where on the edge the new or merged vertex lies: the point (1-t) a + t b, in every mesh the same, so
+  /// that attributes never come apart. Those with a rule of their own may go elsewhere: ask them
   /// (VertexAttribute::result). 0 <= t <= 1.
   double t = 0.5;
 
@@ -34,7 +34,11 @@ struct Event {
   VertexChange collapse_of(std::size_t i) const {
     const Copy& c = copies[i];
     const Index b = end_b(c);
-    return {tree.mesh(c.node).vertex(c.dart), b, b, t, c.node,
+    return {tree.mesh(c.node).vertex(c.dart),
+            b,
+            b,
+            t,
+            c.node,
             c.node == NodeId::root ? no_index : end_b(copies[c.above])};
   }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "multimesh/faces.hpp"
+
 namespace multimesh {
 
 std::string_view to_string(Check check) noexcept {
@@ -91,18 +93,37 @@ bool Legality::unmatched(const MultiMesh& tree, std::span<const Copy> over, Node
   });
 }
 
-// U for the vertices x of the link: whether both a-x and b-x have preimages that no preimage of the
-// facet a-b-x has. Where the mesh below has a facet over a-b-x, its link condition says it already.
-bool Legality::link_gluing(const MultiMesh& tree, const Copy& e, NodeId below) {
+// U for the simplices x of the link, vertices and (in dimension 3) edges: whether both a-x and b-x have
+// preimages that no preimage of a-b-x has. Where a-b-x is a facet, of which the mesh below has at most one,
+// and has it, its link condition says it already.
+bool Legality::link_gluing(const MultiMesh& tree, const Copy& e, NodeId below_node) {
   const Mesh& above = tree.mesh(e.node);
-  if (above.dimension() != 2) return false;
+  const Mesh& below = tree.mesh(below_node);
+  const int d = above.dimension();
+  const auto has_unmatched = [&](Dart side, Permutation in_facet, int k) {
+    unmatched_.clear();
+    tree.to_descendant(e.node, side, k, below_node, unmatched_);
+    return std::any_of(unmatched_.begin(), unmatched_.end(), [&](Dart s) {
+      return std::none_of(found_.begin(), found_.end(), [&](Dart whole) {
+        return below.same_simplex(s, below.reorder(whole, in_facet), k);
+      });
+    });
+  };
   above.star(e.dart, 1, star_);
-  for (const Dart t : star_) {  // (a, b, x)
-    if (tree.has_preimage(e.node, t, 2, below)) continue;
-    if (tree.has_preimage(e.node, above.reorder(t, edge_ax), 1, below) &&
-        tree.has_preimage(e.node, above.reorder(t, edge_bx), 1, below))
-      return true;
-  }
+  for (const Dart t : star_)  // (a, b, x, ..)
+    for (int k = 1; k < d && k <= below.dimension(); ++k)
+      for (const Permutation p : faces_around(d, k + 1, 1)) {
+        const Dart whole = above.reorder(t, p);  // begins with a, b, x
+        found_.clear();
+        if (k + 1 == d) {
+          if (tree.has_preimage(e.node, whole, d, below_node)) continue;
+        } else if (k < below.dimension()) {
+          tree.to_descendant(e.node, whole, k + 1, below_node, found_);
+        }
+        if (has_unmatched(above.reorder(whole, without_b(k)), without_b(k), k) &&
+            has_unmatched(above.reorder(whole, without_a(k)), without_a(k), k))
+          return true;
+      }
   return false;
 }
 
@@ -129,7 +150,9 @@ bool Legality::no_gluing(const MultiMesh& tree, const Copies& copies, std::uint3
   const Dart at_b = tree.mesh(e.node).reorder(e.dart, exchange_ends);
   const bool free_a = unmatched(tree, over, e.node, below_node, e.dart, End::a);
   const bool free_b = unmatched(tree, over, e.node, below_node, at_b, End::b);
-  if ((free_a && free_b) || link_gluing(tree, e, below_node)) {
+  // Where an end has no preimage at all, neither has anything around it.
+  const bool both = (free_a || !over.empty()) && (free_b || !over.empty());
+  if ((free_a && free_b) || (both && link_gluing(tree, e, below_node))) {
     verdict.refusal = {Check::gluing, below_node, {}};
     return false;
   }
@@ -171,10 +194,16 @@ bool Legality::no_contact(const MultiMesh& tree, const Copies& copies, std::uint
     return extra_a && extra_b;
   };
   bool touches = new_contact(e.dart, mesh.reorder(e.dart, exchange_ends), e.dart, 0);
-  if (!touches && mesh.dimension() == 2) {
+  const int d = mesh.dimension();
+  if (!touches && d > 1) {
     mesh.star(e.dart, 1, star_);
-    for (const Dart t : star_)
-      touches = touches || new_contact(mesh.reorder(t, edge_ax), mesh.reorder(t, edge_bx), t, 1);
+    for (const Dart t : star_)  // (a, b, x, ..)
+      for (int k = 1; k < d && !touches; ++k)
+        for (const Permutation p : faces_around(d, k + 1, 1)) {
+          const Dart whole = mesh.reorder(t, p);
+          touches = touches || new_contact(mesh.reorder(whole, without_b(k)),
+                                           mesh.reorder(whole, without_a(k)), whole, k);
+        }
   }
   if (touches) verdict.refusal = {Check::contact, e.node, {}};
   return !touches;

@@ -62,7 +62,7 @@ class Legality {
                  End end);
   bool link_gluing(const MultiMesh& tree, const Copy& e, NodeId below);
 
-  DartBuffer star_, found_;
+  DartBuffer star_, found_, unmatched_;
 };
 
 }  // namespace multimesh

@@ -52,15 +52,26 @@ struct CollapseRegion {
   DartBuffer renamed;  ///< surviving facets in which some dart code will change
 };
 
-/// Old to new indices, after compaction; no_index for what was dead.
+/// Old to new indices, after compaction; no_index for what was dead. Codes of darts move in blocks of
+/// 2^block_bits.
 struct Compaction {
   std::vector<std::vector<Index>> simplices;  ///< [k][old index]
-  std::vector<Dart> darts;                    ///< [old code]; no_dart where dead
+  std::vector<Index> blocks;                  ///< [old block]
+  unsigned block_bits = 0;
+
+  /// The new name of an old dart; no_dart where dead.
+  Dart dart(Dart old) const {
+    const std::size_t block = code(old) >> block_bits;
+    if (block >= blocks.size() || blocks[block] == no_index) return no_dart;
+    return Dart{blocks[block] << block_bits | (code(old) & ((1U << block_bits) - 1))};
+  }
 };
 
 /// A pure, facet-manifold simplicial mesh of dimension 1..3 as the core sees it: a proper simplicial
 /// complex (a simplex is determined by its vertex set) with darts, local operations, a journal for exact
-/// undo, and room for anchors. Only the adapter behind it knows the data structure.
+/// undo, and room for anchors. Only the adapter behind it knows the data structure. Indices name simplices
+/// until the mesh is compacted; those of simplices without storage (edges and faces of a tetrahedral mesh),
+/// until an operation touches their star.
 ///
 /// Calls are coarse: one per neighbourhood or operation. Writes go through a journal: everything since a
 /// mark() can be rolled back exactly, element counts included. Not thread-safe. A dead or foreign dart is
@@ -86,6 +97,8 @@ class Mesh {
   virtual Dart reorder(Dart d, Permutation p) const = 0;    ///< another dart of the same facet
   virtual Permutation order(Dart from, Dart to) const = 0;  ///< p with reorder(from, p) == to; same facet
   virtual void vertices(Dart d, Index* out) const = 0;      ///< dimension()+1 of them, in order
+  /// Whether the k-simplices of two darts are the same one.
+  virtual bool same_simplex(Dart d, Dart e, int k) const { return simplex(d, k) == simplex(e, k); }
 
   Index vertex(Dart d) const { return simplex(d, 0); }
   Index facet(Dart d) const { return simplex(d, dimension_); }

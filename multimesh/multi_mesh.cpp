@@ -191,9 +191,8 @@ Dart MultiMesh::to_ancestor(NodeId n, Dart d, NodeId ancestor) const {
 namespace {
 
 bool known(const Mesh& mesh, const DartBuffer& darts, std::size_t first, Dart d, int k) {
-  const Index s = mesh.simplex(d, k);
   return std::any_of(darts.begin() + static_cast<std::ptrdiff_t>(first), darts.end(),
-                     [&](Dart other) { return mesh.simplex(other, k) == s; });
+                     [&](Dart other) { return mesh.same_simplex(other, d, k); });
 }
 
 /// The dart of the child facet `f` whose vertices map to the first ones of d, a dart at the facet's image.
@@ -259,8 +258,7 @@ void MultiMesh::map(NodeId from, Dart d, int k, NodeId to, Via via, DartBuffer& 
 bool MultiMesh::same_simplex(NodeId m, Dart d, NodeId n, Dart e, int k) const {
   require_dart(m, d);
   require_dart(n, e);
-  const Mesh& root = mesh(NodeId::root);
-  return root.simplex(to_root(m, d), k) == root.simplex(to_root(n, e), k);
+  return mesh(NodeId::root).same_simplex(to_root(m, d), to_root(n, e), k);
 }
 
 bool MultiMesh::has_preimage(NodeId from, Dart d, int k, NodeId descendant) const {
@@ -289,7 +287,7 @@ std::vector<Compaction> MultiMesh::compact() {
     const int k = c.mesh->dimension();
     for (Index f = 0; f < c.mesh->capacity(k); ++f) {
       const Anchor a = c.mesh->anchor(f);
-      c.mesh->set_anchor(f, {own.darts[code(a.own)], above.darts[code(a.parent)]});
+      c.mesh->set_anchor(f, {own.dart(a.own), above.dart(a.parent)});
     }
     nodes_[index(c.parent)].mesh->remap_links(c.links, own.simplices[static_cast<std::size_t>(k)]);
   }

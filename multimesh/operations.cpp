@@ -23,7 +23,7 @@ void Propagation::start(NodeId n, Dart d, int k) {
 std::size_t Propagation::copy_of(NodeId n, Dart d, int k) const {
   const Mesh& mesh = tree_.mesh(n);
   std::size_t i = copies_.first(n);
-  while (mesh.simplex(copies_[i].dart, k) != mesh.simplex(d, k)) ++i;
+  while (!mesh.same_simplex(copies_[i].dart, d, k)) ++i;
   return i;
 }
 
@@ -81,6 +81,7 @@ void Propagation::protect_neighbourhoods(Operation operation) {
 }
 
 Outcome Propagation::swap(NodeId n, Dart e) {
+  if (tree_.mesh(NodeId::root).dimension() > 2) return swap_by_split_and_collapse(n, e);
   start(n, e, 1);
   const std::size_t asked = copy_of(n, e, 1);
   if (!flippable()) return refuse({Check::flip, n, {}});
@@ -133,32 +134,6 @@ void Propagation::collect_reanchored_by_flip() {
       reanchored_.push_back({c.node, {own, tree_.to_parent(c.node, own)}});
     }
   }
-}
-
-Outcome Propagation::swap_by_split_and_collapse(NodeId n, Dart e) {
-  const Statistics before = statistics_;
-  start(n, e, 1);
-  const auto is_interior = [&](const Copy& c) {
-    return tree_.mesh(c.node).dimension() == 2 && !tree_.mesh(c.node).is_boundary(c.dart, 1);
-  };
-  const auto copies = copies_.all();
-  const bool interior = std::all_of(copies.begin(), copies.end(), is_interior);
-  Outcome outcome{{Check::flip, n, {}}, no_dart, no_dart};
-  if (interior) {
-    Transaction transaction(tree_, attributes_);
-    const Outcome cut = split(n, e);
-    outcome = cut;
-    if (cut) {
-      const Dart to_apex = tree_.mesh(n).reorder(cut.dart, edge_bx);  // (a,c,l) -> (c,l,a)
-      outcome = collapse(n, to_apex, Placement::keep_b());
-      if (outcome) transaction.commit();
-    }
-  }
-  statistics_ = before;
-  ++statistics_.tried;
-  if (!outcome) return refuse(outcome.refusal);
-  ++statistics_.done;
-  return outcome;
 }
 
 Outcome Propagation::relocate(NodeId n, Dart v, const std::function<void(const Event&)>& write) {

@@ -15,8 +15,9 @@ namespace multimesh {
 /// Done, or refused with the reason. A refused operation has left everything as it was, indices included.
 struct [[nodiscard]] Outcome {
   Refusal refusal;
-  /// In the mesh where the operation was asked for, after it. Split: (a, c, ...). Collapse: a dart at the
-  /// merged vertex. Swap: (l, r, ...). Relocation: the dart given. no_dart if refused.
+  /// In the mesh where the operation was asked for, after it. Split: (a, c, x, ..) for e = (a, b, x, ..).
+  /// Collapse: a dart at the merged vertex. Swap: (l, r, ...), in dimension 3 a dart at x. Relocation: the
+  /// dart given. no_dart if refused.
   Dart dart = no_dart;
   /// The same in the root.
   Dart root = no_dart;
@@ -50,9 +51,9 @@ struct Placement {
 ///
 /// Attributes and invariants are those of the algorithm that uses it; they are not owned and must outlive
 /// it. An exception thrown by one of them leaves everything as it was before the operation. Cost per
-/// operation: that of the stars of the edge's copies; buffers are re-used, but queries over two or more levels
-/// of the tree allocate.
-/// Source: Codimensional MultiMeshing, section 4; legality beyond it: DESIGN section 7.
+/// operation: that of the stars of the edge's copies; buffers are re-used, but queries over two or more
+/// levels of the tree allocate. Source: Codimensional MultiMeshing, section 4; legality beyond it: DESIGN
+/// section 7.
 class Propagation {
  public:
   explicit Propagation(MultiMesh& tree) : tree_(tree) {}
@@ -78,11 +79,35 @@ class Propagation {
   using Chooser = std::function<double(const Event&, std::optional<double> held)>;
   Outcome collapse(NodeId n, Dart e, const Chooser& choose);
 
-  /// Replaces the interior edge (a,b) of two triangles (a,b,l), (b,a,r) by (l,r) in every mesh. Equals a
-  /// split and the collapse of its new vertex into l; done natively, which leaves no dead elements.
+  /// Swaps the edge of e = (a,b,x,..), interior in every mesh of dimension 2 or more that has it, and in no
+  /// other: the facets around it are replaced by those that join x to the rest of their rim.
+  ///
+  ///        b               b           Dimension 2: (a,b,l), (b,a,r) become (l,r,a), (r,l,b); natively where
+  ///        no
+  ///       /|\             / \          mesh of the tree has dimension 3, which leaves no dead elements.
+  ///      / | \           /   \         Dimension 3, rim x, y1, .., yn-1: n tetrahedra (a,b,.,.) become
+  ///     l  |  r   ->    l-----r        (a,x,yi,yi+1) and (b,x,yi,yi+1), 2 (n - 2): swap 3-2 for n = 3,
+  ///      \ | /           \   /         4-4, 5-6, ...; x chooses among the n results.
+  ///       \|/             \ /          Inverse: dimension 2, swap of l-r; n = 3, swap_face; n = 4, swap of
+  ///       the
+  ///        a               a           new edge x-y2.
+  ///
+  /// Equals a split at c and the collapse of c into x. Where the edge lies on a surface inside a tetrahedral
+  /// mesh, x must be one of its two apexes there.
   Outcome swap(NodeId n, Dart e);
   /// The same by split and collapse in one transaction; the reference that swap() is tested against.
   Outcome swap_by_split_and_collapse(NodeId n, Dart e);
+
+  /// Swaps the face of f = (x,y,z,w) in a mesh of dimension 3: (x,y,z,w) and (x,y,z,v) beyond it become the
+  /// three tetrahedra around the new edge w-v. Refused in the boundary, and where another mesh has the face.
+  /// Inverse: swap of w-v. Outcome: (w, v, ..).
+  Outcome swap_face(NodeId n, Dart f);
+
+  /// Puts a new vertex into the barycentre of the k-simplex of d, k = 1..3, and joins it to the simplices
+  /// around: of a face, (x,y,z) -> (m,x,y), (m,y,z), (m,z,x). By splits and collapses, as one transaction.
+  /// Legal always; invariants are asked at each step. Inverse: collapse of the new vertex into one of its own
+  /// corners. Outcome: a dart at the new vertex.
+  Outcome split_simplex(NodeId n, Dart d, int k);
 
   /// Moves a vertex: `write` sets new values by VertexAttribute::set on the copies of the event; then the
   /// attributes with a rule follow, and invariants are asked.
@@ -132,6 +157,12 @@ class Propagation {
   void collect_moved_by_collapse(NodeId n);
   void collect_anchored_in(NodeId child, Dart facet);
   Dart after_earlier_collapses(std::size_t i, Dart d) const;
+
+  bool swappable(NodeId n, Dart e);
+  template <class Steps>
+  Outcome sequence(const Steps& steps);
+  Dart after_collapses(NodeId n, Dart d) const;
+  Dart after_split(NodeId n, Dart e, End end) const;
 
   bool flippable() const;
   void collect_reanchored_by_flip();

@@ -71,4 +71,13 @@ inline constexpr Permutation exchange_ends = permutation(1, 0);
 inline constexpr Permutation edge_ax = permutation(0, 2, 1);
 inline constexpr Permutation edge_bx = permutation(1, 2, 0);
 
+/// Of a dart (a, b, x1, ..): (a, x1, .., xk, b) and (b, x1, .., xk, a), the k-simplices on both sides of the
+/// simplex a-b-x1-..-xk.
+constexpr Permutation without_b(int k) noexcept {
+  return k == 1 ? edge_ax : permutation(0, 2, 3, 1);
+}
+constexpr Permutation without_a(int k) noexcept {
+  return k == 1 ? edge_bx : permutation(1, 2, 3, 0);
+}
+
 }  // namespace multimesh

@@ -34,7 +34,7 @@ Outcome Propagation::split(NodeId n, Dart e, double t) {
   if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
   stage();
   transaction.commit();
-  return succeed(copies_[asked].dart, copies_[0].dart);
+  return succeed(tree_.mesh(n).after_split(splits_[asked], e, End::a), copies_[0].dart);
 }
 
 void Propagation::split_copy(std::size_t i) {

@@ -371,12 +371,8 @@ Compaction Connectivity::compact() {
     (void)faces.finish();
   }
   // Garbage collection keeps the parity of halfedges; a dart is a halfedge and, in 2D, a flip bit.
-  const std::vector<Index>& edge = moved.simplices[1];
-  const unsigned per_edge = dimension() == 2 ? 4 : 2;
-  moved.darts.resize(edge.size() * per_edge, no_dart);
-  for (std::size_t e = 0; e < edge.size(); ++e)
-    if (edge[e] != no_index)
-      for (unsigned i = 0; i < per_edge; ++i) moved.darts[e * per_edge + i] = Dart{edge[e] * per_edge + i};
+  moved.blocks = moved.simplices[1];
+  moved.block_bits = dimension() == 2 ? 2 : 1;
   return moved;
 }
 

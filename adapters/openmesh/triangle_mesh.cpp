@@ -366,6 +366,7 @@ void TriangleMesh::collapse_edge(Dart e, CollapseRecord& record) {
   record.dead = static_cast<Index>(a);
   record.survivor = static_cast<Index>(b);
   record.at_survivor = dart_at(b);
+  record.words.push_back(static_cast<std::uint32_t>(h >> 1));
 }
 
 // Two halfedges of a dead facet form a loop; `kept` takes the place of the opposite of `dying`.
@@ -403,12 +404,13 @@ int TriangleMesh::outgoing_after_collapse(int h) const {
   return renamed(of_b);
 }
 
+// The last word is the collapsed edge, of which only the merged vertex is left.
 Dart TriangleMesh::after_collapse(const CollapseRecord& record, Dart old) const {
   const auto h = static_cast<std::uint32_t>(half(old));
   for (std::size_t i = 0; i + 2 < record.words.size(); i += 3)
     if (record.words[i] == h)
       return make(static_cast<int>(record.words[i + 1]), flip(old) ^ record.words[i + 2]);
-  return status(1)[h >> 1].deleted() ? record.at_survivor : old;
+  return record.words.back() == h >> 1 ? record.at_survivor : old;
 }
 
 // --- flip ------------------------------------------------------------------------------------------------

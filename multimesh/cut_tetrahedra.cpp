@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cutting in dimension 3, in rounds as in dimension 2 (cut.cpp): join across faces, give each class of joined
+// corners a vertex, take tetrahedra out where simplices with the same vertices are not the same one, again.
+#include <algorithm>
+#include <array>
+
+#include "multimesh/cut.hpp"
+#include "multimesh/pair_numbers.hpp"
+#include "multimesh/union_find.hpp"
+
+namespace multimesh {
+
+namespace {
+
+constexpr int edge_corner[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+class TetCutter {
+ public:
+  explicit TetCutter(const FacetList& in) : in_(in), alone_(in.size(), false) {}
+
+  Cut run() {
+    do {
+      join_faces();
+      orient();
+      part_where_no_orientation_agrees();
+      number();
+    } while (set_apart());
+    return finish();
+  }
+
+ private:
+  Index tets() const { return static_cast<Index>(in_.size()); }
+
+  /// The corners of side 4 t + f, so that their vertices ascend.
+  template <class VertexOf>
+  static std::array<Index, 3> side_corners(Index side, const VertexOf& vertex) {
+    std::array<Index, 3> c{};
+    for (Index i = 0, n = 0; i < 4; ++i)
+      if (i != side % 4) c[n++] = side - side % 4 + i;
+    if (vertex(c[0]) > vertex(c[1])) std::swap(c[0], c[1]);
+    if (vertex(c[1]) > vertex(c[2])) std::swap(c[1], c[2]);
+    if (vertex(c[0]) > vertex(c[1])) std::swap(c[0], c[1]);
+    return c;
+  }
+
+  std::array<Index, 3> input_corners(Index side) const {
+    return side_corners(side, [&](Index c) { return in_.corners[c]; });
+  }
+
+  // Sides with the same three vertices, if they are just two, are joined. Buckets by the least vertex.
+  void join_faces() {
+    partner_.assign(4 * in_.size(), no_index);
+    std::vector<Index> begin(in_.vertices + 1, 0);
+    const auto least = [&](Index side) { return in_.corners[input_corners(side)[0]]; };
+    for (Index s = 0; s < partner_.size(); ++s) ++begin[least(s) + 1];
+    for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
+    std::vector<Index> sides(partner_.size()), end(begin.begin(), begin.end() - 1);
+    for (Index s = 0; s < partner_.size(); ++s) sides[end[least(s)]++] = s;
+    struct Side {
+      Index second, third, side;
+    };
+    std::vector<Side> bucket;
+    for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+      bucket.clear();
+      for (Index i = begin[v]; i < begin[v + 1]; ++i) {
+        if (alone_[sides[i] / 4]) continue;
+        const auto c = input_corners(sides[i]);
+        bucket.push_back({in_.corners[c[1]], in_.corners[c[2]], sides[i]});
+      }
+      join_equal(bucket);
+    }
+  }
+
+  template <class Bucket>
+  void join_equal(Bucket& bucket) {
+    std::sort(bucket.begin(), bucket.end(), [](const auto& x, const auto& y) {
+      return std::array{x.second, x.third, x.side} < std::array{y.second, y.third, y.side};
+    });
+    for (std::size_t i = 0, j; i < bucket.size(); i = j) {
+      for (j = i;
+           j < bucket.size() && bucket[j].second == bucket[i].second && bucket[j].third == bucket[i].third;)
+        ++j;
+      if (j - i != 2) continue;
+      partner_[bucket[i].side] = bucket[i + 1].side;
+      partner_[bucket[i + 1].side] = bucket[i].side;
+    }
+  }
+
+  void part(Index side) {
+    partner_[partner_[side]] = no_index;
+    partner_[side] = no_index;
+  }
+
+  /// Whether two joined tetrahedra, as given, are oriented alike: the permutation of corners across is odd.
+  bool agree(Index side, Index other) const {
+    const auto from = input_corners(side), to = input_corners(other);
+    std::array<Index, 4> q{};
+    q[side % 4] = other % 4;
+    for (std::size_t i = 0; i < 3; ++i) q[from[i] % 4] = to[i] % 4;
+    bool odd = false;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) odd ^= q[i] > q[j];
+    return odd;
+  }
+
+  // Breadth first, so that a clash lies far from the first tetrahedron of its component.
+  void orient() {
+    reversed_.assign(in_.size(), false);
+    std::vector<bool> seen(in_.size(), false);
+    std::vector<Index> queue;
+    for (Index start = 0; start < tets(); ++start) {
+      if (seen[start]) continue;
+      seen[start] = true;
+      queue.assign(1, start);
+      for (std::size_t i = 0; i < queue.size(); ++i)
+        for (Index s = 4 * queue[i]; s < 4 * queue[i] + 4; ++s) {
+          const Index other = partner_[s];
+          if (other == no_index || seen[other / 4]) continue;
+          seen[other / 4] = true;
+          reversed_[other / 4] = reversed_[s / 4] != !agree(s, other);
+          queue.push_back(other / 4);
+        }
+    }
+  }
+
+  void part_where_no_orientation_agrees() {
+    for (Index s = 0; s < partner_.size(); ++s) {
+      const Index other = partner_[s];
+      if (other > s && other != no_index && agree(s, other) == (reversed_[s / 4] != reversed_[other / 4]))
+        part(s);
+    }
+  }
+
+  // Corners joined across faces are one vertex, numbered by its first corner.
+  void number() {
+    UnionFind corners(in_.corners.size());
+    for (Index s = 0; s < partner_.size(); ++s)
+      if (partner_[s] != no_index && partner_[s] > s) {
+        const auto from = input_corners(s), to = input_corners(partner_[s]);
+        for (std::size_t i = 0; i < 3; ++i) corners.join(from[i], to[i]);
+      }
+    number_.assign(in_.corners.size(), no_index);
+    source_.clear();
+    for (Index c = 0; c < number_.size(); ++c) {
+      Index& of_class = number_[corners.find(c)];
+      if (of_class == no_index) {
+        of_class = static_cast<Index>(source_.size());
+        source_.push_back(in_.corners[c]);
+      }
+      number_[c] = of_class;
+    }
+  }
+
+  bool take_out(Index t) {
+    if (alone_[t]) return false;
+    alone_[t] = true;
+    return true;
+  }
+
+  bool set_apart() {
+    if (set_double_neighbours_apart()) return true;
+    edge_.assign(6 * in_.size(), 0);
+    PairNumbers edges(source_.size(), number_);
+    for (Index t = 0; t < tets(); ++t)
+      for (Index e = 0; e < 6; ++e) edge_[6 * t + e] = edges(end(t, e, 0), end(t, e, 1));
+    if (set_faces_apart(edges.size())) return true;
+    return set_fans_apart(edges.size());
+  }
+
+  Index end(Index t, Index e, int i) const { return number_[4 * t + static_cast<Index>(edge_corner[e][i])]; }
+
+  // Two tetrahedra that share more than one face.
+  bool set_double_neighbours_apart() {
+    bool changed = false;
+    for (Index t = 0; t < tets(); ++t)
+      for (Index f = 0; f < 4; ++f)
+        for (Index g = 0; g < f; ++g) {
+          const Index one = partner_[4 * t + f], other = partner_[4 * t + g];
+          if (one != no_index && other != no_index && one / 4 == other / 4 && one / 4 < t)
+            changed |= take_out(t);
+        }
+    return changed;
+  }
+
+  // Sides with the same vertices that are not joined to each other. A side is named by the edge of its two
+  // least vertices, and the third.
+  bool set_faces_apart(Index edges) {
+    PairNumbers faces(edges + source_.size());
+    std::vector<Index> first;
+    bool changed = false;
+    for (Index s = 0; s < partner_.size(); ++s) {
+      const auto c = side_corners(s, [&](Index corner) { return number_[corner]; });
+      const Index face = faces(edge_[edge_slot(c[0], c[1])], edges + number_[c[2]]);
+      if (face == first.size()) {
+        first.push_back(s);
+      } else if (partner_[s] != first[face]) {
+        changed |= take_out(s / 4);
+      }
+    }
+    return changed;
+  }
+
+  // Tetrahedra around one edge that do not hang together by faces at it: all but those of one fan.
+  bool set_fans_apart(Index edges) {
+    UnionFind fans(edge_.size());
+    Index separate = static_cast<Index>(edge_.size());
+    for (Index s = 0; s < partner_.size(); ++s) {
+      if (partner_[s] == no_index || partner_[s] < s) continue;
+      const auto from = input_corners(s), to = input_corners(partner_[s]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index x = edge_slot(from[i], from[(i + 1) % 3]), y = edge_slot(to[i], to[(i + 1) % 3]);
+        if (fans.find(x) == fans.find(y)) continue;
+        fans.join(x, y);
+        --separate;
+      }
+    }
+    if (separate == edges) return false;
+    std::vector<Index> fan_of(edges, no_index);
+    bool changed = false;
+    for (Index x = 0; x < edge_.size(); ++x) {
+      Index& fan = fan_of[edge_[x]];
+      if (fan == no_index) fan = fans.find(x);
+      if (fan != fans.find(x)) changed |= take_out(x / 6);
+    }
+    return changed;
+  }
+
+  static Index edge_slot(Index corner, Index other) {
+    Index e = 0;
+    const int low = static_cast<int>(std::min(corner, other) % 4),
+              high = static_cast<int>(std::max(corner, other) % 4);
+    while (edge_corner[e][0] != low || edge_corner[e][1] != high) ++e;
+    return corner / 4 * 6 + e;
+  }
+
+  Cut finish() {
+    for (std::size_t t = 0; t < in_.size(); ++t)
+      if (reversed_[t]) std::swap(number_[4 * t], number_[4 * t + 1]);
+    return {{3, static_cast<Index>(source_.size()), std::move(number_)},
+            std::move(source_),
+            std::move(reversed_)};
+  }
+
+  const FacetList& in_;
+  std::vector<bool> alone_;     // tetrahedra that are joined to nothing
+  std::vector<Index> partner_;  // of side 4 t + f, opposite corner f: the side it is joined to, or no_index
+  std::vector<bool> reversed_;
+  std::vector<Index> number_;  // of corner 4 t + i: its new vertex
+  std::vector<Index> source_;
+  std::vector<Index> edge_;  // of slot 6 t + e: the number of its two vertices
+};
+
+}  // namespace
+
+namespace detail {
+
+Cut cut_tetrahedra(const FacetList& facets) {
+  return TetCutter(facets).run();
+}
+
+}  // namespace detail
+
+}  // namespace multimesh
