@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
 #include "oracle/random_trees.hpp"
 
 namespace multimesh::test {
@@ -76,7 +76,7 @@ std::unique_ptr<Tree> tree_from(const oracle::Tree& tree) {
   auto result = std::make_unique<Tree>(root);
   for (std::size_t n = 1; n < tree.nodes.size(); ++n) {
     const NodeId above{static_cast<std::uint32_t>(tree.nodes[n].parent)};
-    auto mesh = openmesh::make_mesh(lists[n]);
+    auto mesh = make_mesh(lists[n]);
     std::vector<Anchor> anchors;
     for (Index f = 0; f < lists[n].size(); ++f) {
       const auto v = lists[n].facet(f);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
 
 namespace multimesh::test {
 
@@ -51,7 +51,7 @@ NodeId add_drawn(Tree& tree, NodeId parent, const FacetList& child, std::initial
       throw std::logic_error("facet " + std::to_string(f) + " of the drawn child lies nowhere");
     facets.push_back(above.facet(d));
   }
-  return tree.add(add_child_by_facets(*tree.tree, parent, child, over, facets, openmesh::make_mesh));
+  return tree.add(add_child_by_facets(*tree.tree, parent, child, over, facets, make_mesh));
 }
 
 std::vector<std::vector<Index>> sorted_facets(const Mesh& mesh) {
@@ -94,7 +94,7 @@ Tree disk_to_individual(Index n) {
     facets.push_back(i);
   }
   Tree tree(shape(fan));
-  tree.add(add_child_by_facets(*tree.tree, NodeId::root, single, fan, facets, openmesh::make_mesh));
+  tree.add(add_child_by_facets(*tree.tree, NodeId::root, single, fan, facets, make_mesh));
   return tree;
 }
 

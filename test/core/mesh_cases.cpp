@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
 #include "test/core/bridge.hpp"
 #include "test/support/shapes.hpp"
 
@@ -12,7 +12,7 @@ namespace multimesh::test {
 namespace {
 
 std::unique_ptr<Mesh> make(const FacetList& list) {
-  return openmesh::make_mesh(list);
+  return make_mesh(list);
 }
 
 std::unique_ptr<Mesh> shaken(const FacetList& list, unsigned seed) {

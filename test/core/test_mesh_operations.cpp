@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
 #include "oracle/collapse.hpp"
 #include "oracle/random_surface.hpp"
 #include "oracle/split.hpp"
@@ -232,7 +232,7 @@ TEST(LinkCondition, IsThatOfTheVertexSetsOnRandomSurfaces) {
     const auto kind = static_cast<oracle::Surface>(seed % 5);  // the Moebius band is not orientable
     const auto list = oriented(oracle::random_surface(kind, 1 + seed % 12, random));
     ASSERT_TRUE(list);
-    const auto mesh = openmesh::make_mesh(*list);
+    const auto mesh = make_mesh(*list);
     const auto complex = complex_of(*mesh);
     for (const Dart e : all_darts(*mesh)) {
       const auto v = vertices(*mesh, e);

@@ -5,7 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
 #include "multimesh/build.hpp"
 #include "multimesh/permutation.hpp"
 #include "oracle/image.hpp"
@@ -56,7 +56,7 @@ std::optional<MultiMesh> to_multimesh(const oracle::Tree& plain, std::mt19937_64
     if (!oracle::orient(meshes.back(), mirror)) return std::nullopt;
     names.push_back(ranks(node.mesh));
   }
-  MultiMesh tree(openmesh::make_mesh(facet_list(meshes[0], names[0])));
+  MultiMesh tree(make_mesh(facet_list(meshes[0], names[0])));
   for (std::size_t i = 1; i < plain.nodes.size(); ++i) {
     const oracle::TreeNode& node = plain.nodes[i];
     const auto above = static_cast<std::size_t>(node.parent);
@@ -68,7 +68,7 @@ std::optional<MultiMesh> to_multimesh(const oracle::Tree& plain, std::mt19937_64
     for (std::size_t f = 0; f < meshes[i].facets.size(); ++f)
       parents.push_back(facet_with(meshes[above], mapped(facet_simplex(meshes[i], f), node.image), rng));
     add_child_by_facets(tree, static_cast<NodeId>(above), facet_list(meshes[i], names[i]), over, parents,
-                        openmesh::make_mesh);
+                        make_mesh);
   }
   return tree;
 }
