@@ -40,15 +40,18 @@ class SolidOverlay {
 
   Signature regions() const {
     Signature words;
-    append(words, betti(cut_));
-    append(words, betti(all_, cut_));
     std::vector<SimplexSet> parts;
-    for (const LayerImage& layer : layers_) parts.push_back(image_of(layer));
+    SimplexSet together;
+    for (const LayerImage& layer : layers_) {
+      parts.push_back(image_of(layer));
+      together = unite(together, parts.back());
+    }
+    append(words, betti(together));
+    append(words, betti(all_, together));
     if (on_rim_) {
-      const SimplexSet with_rim = unite(cut_, rim_);
-      append(words, betti(with_rim));
-      append(words, betti(all_, with_rim));
       parts.push_back(rim_);
+      append(words, betti(unite(together, rim_)));
+      append(words, betti(all_, unite(together, rim_)));
     }
     for (std::size_t i = 0; i < parts.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) append(words, betti(intersection(parts[i], parts[j])));

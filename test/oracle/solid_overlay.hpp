@@ -9,12 +9,11 @@ namespace multimesh::oracle {
 
 /// overlay_type() for a host of dimension 3.
 ///
+/// - `regions`: Betti numbers of all images together, of the host relative to them (by duality those of the
+///   complement), and of what every two images have in common; with `host_boundary` all of these also with
+///   the boundary of the host as one more image.
 /// The *cut* consists of curve layers, surface layers, and for layers of dimension 3 the triangles between
-/// covered and uncovered tetrahedra and those with a number of preimages other than one. Then
-/// - `regions`: Betti numbers of the cut, of the host relative to it (by duality those of the complement),
-/// and
-///   of what every two layers have in common; with `host_boundary` all of these also with the boundary of the
-///   host as one more layer;
+/// covered and uncovered tetrahedra and those with a number of preimages other than one.
 /// - `graph`: edges of the cut that are not inside a surface, with the triangles of the cut around them by
 ///   their labels, and points that are not inside a curve or surface, with the type of the cut around them;
 ///   see graph_type(). Labels are numbers of preimages per layer, and with `host_boundary` whether it lies on
