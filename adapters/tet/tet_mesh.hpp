@@ -247,7 +247,7 @@ class TetMesh final : public Mesh {
     if (find(list, name)) throw UsageError("the mesh has a property \"" + name + "\" already");
     auto made = std::make_unique<Property<T>>(std::move(name));
     Property<T>& property = *made;
-    property.values.resize(n);
+    static_cast<PropertyBase&>(property).resize(n);
     list.push_back(std::move(made));
     return property;
   }

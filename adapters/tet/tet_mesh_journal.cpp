@@ -71,6 +71,7 @@ Index TetMesh::new_vertex() {
     free_vertices_.pop_back();
     log(Word::took_vertex, v, 0);
     set_flags(v, 0);
+    for (const auto& p : vertex_properties_) p->reset(v);
   } else {
     log(Word::grew_vertices, v, 0);
     resize_vertices(flags_.size() + 1);

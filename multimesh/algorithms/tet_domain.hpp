@@ -18,13 +18,13 @@ namespace multimesh {
 struct TaggedTetrahedra {
   using Tag = std::int32_t;
   std::vector<std::array<double, 3>> points;
-  FacetList tets{3, 0, {}};        ///< into points
-  std::vector<Tag> regions;        ///< per tetrahedron, or empty: all 0
-  FacetList triangles{2, 0, {}};   ///< faces of the tetrahedra that are to be kept
-  std::vector<Tag> patches;        ///< per triangle, or empty: all 0
-  FacetList edges{1, 0, {}};       ///< edges of the tetrahedra that are to be kept
-  std::vector<Tag> edge_tags;      ///< per edge, or empty: all 0
-  std::vector<Index> fixed;        ///< points that must keep their place
+  FacetList tets{3, 0, {}};       ///< into points
+  std::vector<Tag> regions;       ///< per tetrahedron, or empty: all 0
+  FacetList triangles{2, 0, {}};  ///< faces of the tetrahedra that are to be kept
+  std::vector<Tag> patches;       ///< per triangle, or empty: all 0
+  FacetList edges{1, 0, {}};      ///< edges of the tetrahedra that are to be kept
+  std::vector<Tag> edge_tags;     ///< per edge, or empty: all 0
+  std::vector<Index> fixed;       ///< points that must keep their place
 };
 
 struct TetDomainOptions {
@@ -36,9 +36,9 @@ struct TetDomainOptions {
 
 /// What had to be done to the input, and what of it was left out.
 struct TetDomainReport {
-  std::size_t copied_vertices = 0;    ///< copies made of points at which the mesh is not manifold
-  std::size_t reversed_tets = 0;      ///< turned round to agree with their neighbours or to have positive volume
-  std::size_t inverted_tets = 0;      ///< of negative or no volume, after that
+  std::size_t copied_vertices = 0;  ///< copies made of points at which the mesh is not manifold
+  std::size_t reversed_tets = 0;  ///< turned round to agree with their neighbours or to have positive volume
+  std::size_t inverted_tets = 0;  ///< of negative or no volume, after that
   std::size_t missing_triangles = 0;  ///< tagged triangles that are no face of a tetrahedron
   std::size_t missing_edges = 0;      ///< tagged edges that are no edge of a tetrahedron
 };
@@ -46,10 +46,12 @@ struct TetDomainReport {
 /// A simulation domain as a multimesh:
 ///
 ///          tetrahedra               surface: the boundary, the interfaces between regions and the tagged
-///          /        \               triangles, one triangle mesh, cut where sheets meet; curves: edges of the
+///          /        \               triangles, one triangle mesh, cut where sheets meet; curves: edges of
+///          the
 ///     surface      curves           surface at which not just two of its faces meet, or faces of different
 ///                                   patches, or at an angle; and tagged edges. Both are there only if they
-///                                   have facets. Chains of curves end where they branch or their kind changes.
+///                                   have facets. Chains of curves end where they branch or their kind
+///                                   changes.
 ///
 /// Points where sheets or curves touch that nothing else keeps, and copies of one input point, are locked.
 class TetDomain {
@@ -83,8 +85,9 @@ class TetDomain {
   Tag patch(Index triangle) const;  ///< of a triangle of the surface
   Tag curve_tag(Index edge) const;  ///< of an edge of the curves
 
+  struct Data;  ///< tet_domain_data.hpp; private to the implementation
+
  private:
-  struct Data;
   std::unique_ptr<Data> data_;
 };
 
