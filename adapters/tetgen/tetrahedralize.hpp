@@ -21,7 +21,8 @@ enum class Keep : std::uint8_t {
 
 struct TetrahedralizeOptions {
   Keep keep = Keep::winding;
-  /// Volume that no tetrahedron exceeds; 0: no bound.
+  /// Volume that no tetrahedron exceeds; 0: no bound. Next to a surface that may not be split, where it would
+  /// take new points close to the surface, larger ones remain.
   double max_volume = 0;
   /// Bounds the volume by that of the regular tetrahedron of this edge length; 0: no bound.
   double edge_length = 0;

@@ -113,13 +113,16 @@ TEST(Tetrahedralize, PointsThatNoTriangleUsesStayUnused) {
 }
 
 TEST(Tetrahedralize, KeepsVolumesBelowTheBound) {
-  const Tetrahedralization by_volume = fill(sphere(1, 2), {.max_volume = 0.01});
-  EXPECT_LE(facts_of(by_volume).most, 0.01 * (1 + 1e-9));
-  const double edge = 0.3;
-  const Tetrahedralization by_edge = fill(sphere(1, 2), {.edge_length = edge});
-  EXPECT_LE(facts_of(by_edge).most, edge * edge * edge / (6 * std::sqrt(2.0)) * (1 + 1e-9));
-  EXPECT_GT(by_edge.tets.size(), by_volume.tets.size());
-  expect_triangles_as_faces(sphere(1, 2), by_edge);
+  const double edge = 0.3, regular = edge * edge * edge / (6 * std::sqrt(2.0));
+  for (const bool split : {false, true}) {
+    const ClosedSurface surface = sphere(1, split ? 2 : 4);
+    const Tetrahedralization by_volume = fill(surface, {.max_volume = 0.01, .split_surface = split});
+    EXPECT_LE(facts_of(by_volume).most, 0.01 * (1 + 1e-9));
+    const Tetrahedralization by_edge = fill(surface, {.edge_length = edge, .split_surface = split});
+    EXPECT_LE(facts_of(by_edge).most, regular * (1 + 1e-9));
+    EXPECT_GT(by_edge.tets.size(), by_volume.tets.size());
+    if (!split) expect_triangles_as_faces(surface, by_edge);
+  }
 }
 
 TEST(Tetrahedralize, SplitsTheSurfaceOnlyWhenAskedTo) {
