@@ -60,6 +60,8 @@ class TetMesh final : public Mesh {
   /// Outside of transactions: it is not journaled.
   void set_locked(Index v, bool on);
   bool has_link_around(LinkSet links, int j, Dart d, int k) const override;
+  bool may_have_link_around(LinkSet links, Dart d, int k) const override;
+  bool may_have_link_in_facet(LinkSet links, Dart d) const override;
 
   // --- local operations
   bool link_condition(Dart e) const override;
