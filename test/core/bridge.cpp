@@ -5,15 +5,11 @@
 #include <stdexcept>
 
 #include "multimesh/algorithms/make_mesh.hpp"
-#include "oracle/random_trees.hpp"
+#include "oracle/random_solid_trees.hpp"
 
 namespace multimesh::test {
 
 namespace {
-
-constexpr int number_of_orders(int dimension) {
-  return dimension == 1 ? 2 : dimension == 2 ? 6 : 24;
-}
 
 std::size_t corners(int dimension) {
   return static_cast<std::size_t>(dimension) + 1;
@@ -157,6 +153,13 @@ std::unique_ptr<Tree> random_small_tree(std::uint64_t seed, std::size_t most_fac
     if (auto tree = tree_from(oracle::random_tree(s, {.min_facets = 4, .max_facets = most_facets})))
       return tree;
   throw std::logic_error("no orientable tree");
+}
+
+std::unique_ptr<Tree> random_small_solid_tree(std::uint64_t seed, std::size_t most_facets) {
+  const auto kind = static_cast<oracle::SolidTreeKind>(seed % oracle::kNumberOfSolidTreeKinds);
+  const auto solid = static_cast<oracle::Solid>(seed / oracle::kNumberOfSolidTreeKinds % 4);
+  return tree_from(
+      oracle::random_solid_tree(seed, kind, solid, {.min_facets = 4, .max_facets = most_facets}));
 }
 
 }  // namespace multimesh::test

@@ -63,9 +63,11 @@ class Words {
       if (above.is_live(k, s)) put(std::uint64_t{tree.facet_over(n, above.dart_of(k, s))});
   }
 
-  void points(const std::vector<Point3>& values) {
-    for (const Point3& p : values)
-      for (int i = 0; i < 3; ++i) put(std::bit_cast<std::uint64_t>(p[i]));
+  /// Of all slots; of a tetrahedral mesh, which uses them again, those of live vertices.
+  void points(const Mesh& mesh, const std::vector<Point3>& values) {
+    for (Index v = 0; v < values.size(); ++v)
+      if (mesh.dimension() < 3 || mesh.is_live(0, v))
+        for (int i = 0; i < 3; ++i) put(std::bit_cast<std::uint64_t>(values[v][i]));
   }
 
   std::vector<std::uint64_t> take() { return std::move(words_); }
@@ -84,7 +86,7 @@ std::vector<std::uint64_t> fingerprint(Tree& tree) {
   for (const NodeId n : tree.tree->nodes()) {
     words.connectivity(tree.tree->mesh(n));
     if (n != NodeId::root) words.map(*tree.tree, n);
-    words.points(tree.points(n));
+    words.points(tree.tree->mesh(n), tree.points(n));
   }
   return words.take();
 }
