@@ -4,7 +4,10 @@
 set -euo pipefail
 
 packages=(cmake ninja-build g++ git ccache pkg-config
-  libopenmesh-dev libembree-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
+  libopenmesh-dev libeigen3-dev libembree-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
+
+# Tetrahedra (MULTIMESH_WITH_TETGEN). AGPL-3, unlike all the others.
+packages+=(libtet1.5-dev)
 
 # HTML reports. NodeSource's nodejs brings an npm of its own, which Debian's npm conflicts with.
 command -v npm >/dev/null || packages+=(nodejs npm)

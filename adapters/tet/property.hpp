@@ -24,6 +24,7 @@ class PropertyBase {
   friend class TetMesh;
   virtual void resize(std::size_t n) = 0;
   virtual void copy(Index from, Index to) = 0;
+  virtual void reset(Index i) = 0;    ///< to T{}
   virtual void save(Index i) = 0;     ///< pushes the value
   virtual void restore(Index i) = 0;  ///< pops it
   virtual void forget() = 0;
@@ -34,7 +35,8 @@ class PropertyBase {
   std::string name_;
 };
 
-/// Values of one type. `values` has one entry per slot, dead ones included; new slots hold T{}. Writes in
+/// Values of one type. `values` has one entry per slot, dead ones included; new slots hold T{}
+/// (Eigen's types: zeros). Writes in
 /// transactions go through a VertexAttribute over `values`, or after Mesh::protect.
 template <class T>
 class Property final : public PropertyBase {
@@ -46,8 +48,17 @@ class Property final : public PropertyBase {
   T& operator[](Index i) { return values[i]; }
 
  private:
-  void resize(std::size_t n) override { values.resize(n); }
+  static T initial() {
+    if constexpr (requires { T::Zero(); }) {
+      return T::Zero();
+    } else {
+      return T{};
+    }
+  }
+
+  void resize(std::size_t n) override { values.resize(n, initial()); }
   void copy(Index from, Index to) override { values[to] = values[from]; }
+  void reset(Index i) override { values[i] = initial(); }
   void save(Index i) override { saved_.push_back(values[i]); }
   void restore(Index i) override {
     values[i] = std::move(saved_.back());
@@ -57,7 +68,7 @@ class Property final : public PropertyBase {
   void compact(const std::vector<Index>& place, std::size_t n) override {
     for (Index i = 0; i < place.size(); ++i)  // place[i] <= i
       if (place[i] != no_index && place[i] != i) values[place[i]] = std::move(values[i]);
-    values.resize(n);
+    values.resize(n, initial());
   }
 
   std::vector<T> saved_;

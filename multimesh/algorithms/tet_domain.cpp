@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/tet_domain.hpp"
+
+#include <string>
+
+#include "adapters/tet/codes.hpp"
+#include "multimesh/algorithms/tet_domain_data.hpp"
+
+namespace multimesh {
+
+namespace {
+
+void check_list(const FacetList& list, int dimension, std::size_t tags, std::size_t points,
+                const char* what) {
+  if (list.dimension != dimension)
+    throw InputError(std::string("the list of ") + what + " has dimension " + std::to_string(list.dimension));
+  if (tags != 0 && tags != list.size())
+    throw InputError(std::to_string(list.size()) + " " + what + ", but " + std::to_string(tags) + " tags");
+  for (std::size_t i = 0; i < list.corners.size(); ++i)
+    if (list.corners[i] >= points)
+      throw InputError(std::string(what) + ": number " + std::to_string(i / list.corners_per_facet()) +
+                       " names point " + std::to_string(list.corners[i]) + " of " + std::to_string(points));
+}
+
+void check(const TaggedTetrahedra& input) {
+  const std::size_t n = input.points.size();
+  check_list(input.tets, 3, input.regions.size(), n, "tetrahedra");
+  check_list(input.triangles, 2, input.patches.size(), n, "triangles");
+  check_list(input.edges, 1, input.edge_tags.size(), n, "edges");
+  if (input.tets.size() == 0) throw InputError("there is no tetrahedron");
+  for (const Index v : input.fixed)
+    if (v >= n) throw InputError("fixed point " + std::to_string(v) + " of " + std::to_string(n));
+}
+
+}  // namespace
+
+TetDomain::TetDomain(const TaggedTetrahedra& input, const TetDomainOptions& options)
+    : data_(std::make_unique<Data>()) {
+  if (!(options.feature_angle > 0)) throw InputError("the feature angle must be above 0");
+  check(input);
+  const std::vector<Index> source = add_tetrahedra(input, *data_);
+  add_surface(input, options, source, *data_);
+  add_curves(input, options, source, *data_);
+}
+
+TetDomain::~TetDomain() = default;
+TetDomain::TetDomain(TetDomain&&) noexcept = default;
+
+MultiMesh& TetDomain::tree() {
+  return *data_->tree;
+}
+const MultiMesh& TetDomain::tree() const {
+  return *data_->tree;
+}
+tet::TetMesh& TetDomain::mesh() {
+  return *data_->mesh;
+}
+const tet::TetMesh& TetDomain::mesh() const {
+  return *data_->mesh;
+}
+std::optional<NodeId> TetDomain::surface() const {
+  return data_->surface;
+}
+std::optional<NodeId> TetDomain::curves() const {
+  return data_->curves;
+}
+const TetDomainReport& TetDomain::report() const {
+  return data_->report;
+}
+tet::Property<TetDomain::Point>& TetDomain::points() {
+  return *data_->points;
+}
+const tet::Property<TetDomain::Point>& TetDomain::points() const {
+  return *data_->points;
+}
+tet::Property<TetDomain::Tag>& TetDomain::regions() {
+  return *data_->regions;
+}
+const tet::Property<TetDomain::Tag>& TetDomain::regions() const {
+  return *data_->regions;
+}
+TetDomain::Tag TetDomain::patch(Index triangle) const {
+  return (*data_->patches)[triangle];
+}
+TetDomain::Tag TetDomain::curve_tag(Index edge) const {
+  return (*data_->curve_tags)[edge];
+}
+
+namespace {
+
+/// Points of the output: one per vertex, but copies of one input point at the same place are one.
+class OutputPoints {
+ public:
+  OutputPoints(const tet::TetMesh& mesh, const tet::Property<TetDomain::Point>& points,
+               const tet::Property<Index>& copy_of, std::vector<std::array<double, 3>>& out)
+      : number_(mesh.capacity(0), no_index), points_(points), copy_of_(copy_of), out_(out) {}
+
+  Index operator()(Index v) {
+    if (number_[v] == no_index) number_[v] = number(v);
+    return number_[v];
+  }
+
+ private:
+  Index number(Index v) {
+    const TetDomain::Point& p = points_[v];
+    const Index source = copy_of_[v];
+    for (const auto& [other, n] : copies_)
+      if (source != 0 && copy_of_[other] == source && points_[other] == p) return n;
+    const auto n = static_cast<Index>(out_.size());
+    out_.push_back({p[0], p[1], p[2]});
+    if (source != 0) copies_.emplace_back(v, n);
+    return n;
+  }
+
+  std::vector<Index> number_;
+  std::vector<std::pair<Index, Index>> copies_;
+  const tet::Property<TetDomain::Point>& points_;
+  const tet::Property<Index>& copy_of_;
+  std::vector<std::array<double, 3>>& out_;
+};
+
+}  // namespace
+
+TaggedTetrahedra TetDomain::tagged() const {
+  const Data& d = *data_;
+  const tet::TetMesh& root = *d.mesh;
+  TaggedTetrahedra out;
+  OutputPoints point(root, *d.points, *d.copy_of, out.points);
+  for (Index t = 0; t < root.capacity(3); ++t) {
+    if (!root.is_live(3, t)) continue;
+    for (int i = 0; i < 4; ++i) out.tets.corners.push_back(point(root.corners(t)[i]));
+    out.regions.push_back((*d.regions)[t]);
+  }
+  Index v[4];
+  if (d.surface) {
+    const Mesh& mesh = d.tree->mesh(*d.surface);
+    for (Index f = 0; f < mesh.capacity(2); ++f) {
+      if (!mesh.is_live(2, f) || ((*d.implied)[f] && (*d.patches)[f] == 0)) continue;
+      // Of boundary triangles, the normal points outwards: away from the fourth vertex.
+      const Dart image = d.tree->to_parent(*d.surface, mesh.dart_of(2, f));
+      root.vertices(image, v);
+      if (root.is_boundary(image, 2) && tet::is_even(root.order(tet::TetMesh::dart(root.tet(image)), image)))
+        std::swap(v[0], v[1]);
+      for (int i = 0; i < 3; ++i) out.triangles.corners.push_back(point(v[i]));
+      out.patches.push_back((*d.patches)[f]);
+    }
+  }
+  if (d.curves) {
+    const Mesh& mesh = d.tree->mesh(*d.curves);
+    for (Index e = 0; e < mesh.capacity(1); ++e) {
+      if (!mesh.is_live(1, e)) continue;
+      root.vertices(d.tree->to_parent(*d.curves, mesh.dart_of(1, e)), v);
+      for (int i = 0; i < 2; ++i) out.edges.corners.push_back(point(v[i]));
+      out.edge_tags.push_back((*d.curve_tags)[e]);
+    }
+  }
+  for (Index i = 0; i < root.capacity(0); ++i)
+    if (root.is_live(0, i) && root.is_locked(i) && root.dart_of(0, i) != no_dart)
+      out.fixed.push_back(point(i));
+  out.tets.vertices = out.triangles.vertices = out.edges.vertices = static_cast<Index>(out.points.size());
+  return out;
+}
+
+}  // namespace multimesh

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/multi_mesh.hpp"
+
+namespace multimesh {
+
+/// Tetrahedra with regions, and what is tagged inside them, as plain lists: what a file has.
+struct TaggedTetrahedra {
+  using Tag = std::int32_t;
+  std::vector<std::array<double, 3>> points;
+  FacetList tets{3, 0, {}};       ///< into points
+  std::vector<Tag> regions;       ///< per tetrahedron, or empty: all 0
+  FacetList triangles{2, 0, {}};  ///< faces of the tetrahedra that are to be kept
+  std::vector<Tag> patches;       ///< per triangle, or empty: all 0
+  FacetList edges{1, 0, {}};      ///< edges of the tetrahedra that are to be kept
+  std::vector<Tag> edge_tags;     ///< per edge, or empty: all 0
+  std::vector<Index> fixed;       ///< points that must keep their place
+};
+
+struct TetDomainOptions {
+  bool boundary = true;    ///< the boundary is part of the surface
+  bool interfaces = true;  ///< so are the faces between tetrahedra of different regions
+  /// Edges of the surface whose two faces make an angle of at least this, in radians, become curves.
+  double feature_angle = std::numeric_limits<double>::infinity();
+};
+
+/// What had to be done to the input, and what of it was left out.
+struct TetDomainReport {
+  std::size_t copied_vertices = 0;  ///< copies made of points at which the mesh is not manifold
+  std::size_t reversed_tets = 0;  ///< turned round to agree with their neighbours or to have positive volume
+  std::size_t inverted_tets = 0;  ///< of negative or no volume, after that
+  std::size_t missing_triangles = 0;  ///< tagged triangles that are no face of a tetrahedron
+  std::size_t missing_edges = 0;      ///< tagged edges that are no edge of a tetrahedron
+};
+
+/// A simulation domain as a multimesh:
+///
+///          tetrahedra               surface: the boundary, the interfaces between regions and the tagged
+///          /        \               triangles, one triangle mesh, cut where sheets meet; curves: edges of
+///          the
+///     surface      curves           surface at which not just two of its faces meet, or faces of different
+///                                   patches, or at an angle; and tagged edges. Both are there only if they
+///                                   have facets. Chains of curves end where they branch or their kind
+///                                   changes.
+///
+/// Points where sheets or curves touch that nothing else keeps, and copies of one input point, are locked.
+class TetDomain {
+ public:
+  using Point = Eigen::Vector3d;
+  using Tag = TaggedTetrahedra::Tag;
+
+  /// \throw InputError naming the element for indices out of range, a repeated vertex, lists of the wrong
+  /// length, or if there is no tetrahedron. Cost: sorting
+  explicit TetDomain(const TaggedTetrahedra& input, const TetDomainOptions& options = {});
+  ~TetDomain();
+  TetDomain(TetDomain&&) noexcept;
+
+  /// The domain as it is now; copies of one input point are one again unless they have moved apart.
+  /// Triangles: the whole surface with its patches, without the part of the boundary that carries the tag 0
+  /// and was not in the input. Edges: all curves with their tags.
+  TaggedTetrahedra tagged() const;
+
+  MultiMesh& tree();
+  const MultiMesh& tree() const;
+  tet::TetMesh& mesh();
+  const tet::TetMesh& mesh() const;
+  std::optional<NodeId> surface() const;
+  std::optional<NodeId> curves() const;
+  const TetDomainReport& report() const;
+
+  tet::Property<Point>& points();  ///< of the vertices of the root
+  const tet::Property<Point>& points() const;
+  tet::Property<Tag>& regions();
+  const tet::Property<Tag>& regions() const;
+  Tag patch(Index triangle) const;  ///< of a triangle of the surface
+  Tag curve_tag(Index edge) const;  ///< of an edge of the curves
+
+  struct Data;  ///< tet_domain_data.hpp; private to the implementation
+
+ private:
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace multimesh
