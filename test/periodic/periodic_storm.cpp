@@ -53,14 +53,14 @@ bool PeriodicStorm::move(NodeId n, Dart d) {
 
 void PeriodicStorm::step() {
   const MultiMesh& tree = domain_.tree();
-  const auto nodes = tree.nodes();
-  const NodeId n = nodes[random_() % nodes.size()];
-  const Dart d = random_dart(n);
   if (steps_++ % 64 == 0) {
     const Mesh& root = tree.mesh(NodeId::root);
     live_ = live_facets(root);
     if (root.capacity(root.dimension()) > 4 * live_ + 1000) domain_.tree().compact();
   }
+  const auto nodes = tree.nodes();
+  const NodeId n = nodes[random_() % nodes.size()];
+  const Dart d = random_dart(n);
   auto choice = static_cast<unsigned>(random_() % 100);
   if (live_ > 2 * facets_at_start_) choice = 35 + choice / 2;
   if (live_ < facets_at_start_ / 2) choice /= 3;

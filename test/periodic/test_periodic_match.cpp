@@ -35,8 +35,8 @@ TEST(PeriodicMatch, NamesTheVertexOfTheHighSideThatTheLowSideLacks) {
 TEST(PeriodicMatch, RefusesTwoPartners) {
   PeriodicTile tile = square_tile(4, 4);
   PeriodicOptions wide = xy;
-  wide.tolerance = 0.099;
-  tile.points[7][0] = 0.05;  // (0.25, 0.5), now within the tolerance of (0, 0.5)
+  wide.tolerance = 0.02;
+  tile.points[17][0] = 0.98;  // was (0.75, 0.5), is now within the tolerance of (1, 0.5)
   const std::string why = refusal(tile, wide);
   EXPECT_NE(why.find("has two partners"), std::string::npos) << why;
 }

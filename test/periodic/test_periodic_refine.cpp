@@ -39,7 +39,7 @@ TEST_P(PeriodicRefinement, MakesItProper) {
   RecordProperty("facets", static_cast<int>(now));
   std::cout << c.name << ": " << c.tile.facets.size() << " -> " << now << " facets, "
             << domain.report().split_edges << " edges of the root split\n";
-  EXPECT_LE(6 * now, barycentric);
+  EXPECT_LE(3 * now, barycentric);
   // The parts of a facet are all of it.
   const Mesh& mesh = domain.tree().mesh(domain.tile());
   ASSERT_EQ(domain.input_facets().size(), now);

@@ -32,7 +32,9 @@ TEST_P(PeriodicStormTest, KeepsMapsTopologyAndPeriods) {
   PeriodicStorm storm(domain, seed, shape);
   for (int i = 1; i <= 4000; ++i) {
     storm.step();
-    if (i % 100 == 0) ASSERT_EQ(storm.fault(), "") << "step " << i << ", seed " << seed;
+    if (i % 100 == 0) {
+      ASSERT_EQ(storm.fault(), "") << "step " << i << ", seed " << seed;
+    }
     if (i % 1000 == 0) {
       std::size_t m = 0;
       for (const NodeId n : domain.tree().nodes())

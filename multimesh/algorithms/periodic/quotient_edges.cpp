@@ -58,7 +58,7 @@ LatticeVector positive(const LatticeVector& v) {
 }  // namespace
 
 std::optional<std::string> too_short(const LabelledTile&, const QuotientEdges& edges) {
-  // The shortest way round for each combination of periods, those along a single axis first.
+  // The shortest way round for each combination of periods; those along a single axis first, x before y.
   struct Cycle {
     int axes, length;
     LatticeVector around;
@@ -76,7 +76,7 @@ std::optional<std::string> too_short(const LabelledTile&, const QuotientEdges& e
   }
   if (cycles.empty()) return std::nullopt;
   std::sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
-    return std::tie(a.axes, a.around, a.length, a.first) < std::tie(b.axes, b.around, b.length, b.first);
+    return std::tie(a.axes, b.around, a.length, a.first) < std::tie(b.axes, a.around, b.length, b.first);
   });
   std::string message;
   const auto name = [&](Index e) {
