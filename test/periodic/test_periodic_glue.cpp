@@ -2,6 +2,8 @@
 // What the glued tile is: numbers of simplices, copies, legal collapses, homology.
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "multimesh/validate.hpp"
 #include "test/periodic/betti.hpp"
 #include "test/periodic/tiles.hpp"
@@ -165,17 +167,23 @@ TEST(PeriodicSurface, IsTheBoundaryOfTheMaterialWithoutTheSides) {
   EXPECT_EQ(validate(slab.tree()), std::vector<std::string>{});
 }
 
-TEST(PeriodicSquare, ATileWithAHoleHasTheHolesBoundary) {
-  PeriodicTile tile = square_tile(6, 6);
+/// The facets of a tile whose centre passes the test.
+PeriodicTile part(PeriodicTile tile, const std::function<bool(double x, double y)>& keep) {
   FacetList kept{2, tile.facets.vertices, {}};
   for (std::size_t f = 0; f < tile.facets.size(); ++f) {
     const auto v = tile.facets.facet(f);
     double x = 0, y = 0;
     for (const Index i : v) x += tile.points[i][0] / 3, y += tile.points[i][1] / 3;
-    if (std::abs(x - 0.5) > 1.0 / 6 || std::abs(y - 0.5) > 1.0 / 6)
-      kept.corners.insert(kept.corners.end(), v.begin(), v.end());
+    if (keep(x, y)) kept.corners.insert(kept.corners.end(), v.begin(), v.end());
   }
   tile.facets = kept;
+  return tile;
+}
+
+TEST(PeriodicSquare, ATileWithAHoleHasTheHolesBoundary) {
+  const PeriodicTile tile = part(square_tile(6, 6), [](double x, double y) {
+    return std::abs(x - 0.5) > 1.0 / 6 || std::abs(y - 0.5) > 1.0 / 6;
+  });
   PeriodicDomain domain(tile, along(true, true, false));
   EXPECT_EQ(domain.report().euler, -1);
   EXPECT_EQ(betti(domain.tree().mesh(NodeId::root)), (Betti{1, 2, 0}));
@@ -183,6 +191,56 @@ TEST(PeriodicSquare, ATileWithAHoleHasTheHolesBoundary) {
   ASSERT_TRUE(hole);
   EXPECT_EQ(domain.tree().mesh(*hole).capacity(1), 8U);
   EXPECT_EQ(betti(domain.tree().mesh(*hole)), (Betti{1, 1}));
+}
+
+TEST(PeriodicNotManifold, ATileIsCutWhereItsPartsTouchInAPoint) {
+  // A frame, and two squares inside it that touch.
+  const PeriodicTile tile = part(square_tile(6, 6), [](double x, double y) {
+    const int i = static_cast<int>(6 * x), j = static_cast<int>(6 * y);
+    return i % 5 == 0 || j % 5 == 0 || (i == j && (i == 2 || i == 3));
+  });
+  PeriodicDomain domain(tile, along(true, true, false));
+  EXPECT_EQ(domain.report().cut_vertices, 1U);
+  EXPECT_EQ(domain.report().cut_root_vertices, 1U);
+  EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+  EXPECT_LE(domain.mismatch(), 1e-15);
+  Propagation operations(domain.tree());
+  domain.attach(operations);
+  const Mesh& mesh = domain.tree().mesh(domain.tile());
+  std::size_t locked = 0;
+  for (Index v = 0; v < mesh.capacity(0); ++v) {
+    EXPECT_EQ(domain.positions()[v], Eigen::Vector3d(tile.points[domain.input_vertices()[v]].data()));
+    const Outcome moved = domain.move(operations, domain.tile(), mesh.dart_of(0, v), {0, 0, 0});
+    locked += moved.refusal.check == Check::locked;
+  }
+  EXPECT_EQ(locked, 2U);
+}
+
+TEST(PeriodicNotManifold, ARootIsCutWhereCopiesTouchInAPoint) {
+  const PeriodicTile tile = part(
+      square_tile(4, 4), [](double x, double y) { return (x < 0.5 && y < 0.5) || (x > 0.5 && y > 0.5); });
+  PeriodicOptions options = along(true, true, false);
+  options.pairs = {{0, 24}};  // opposite corners of the box
+  PeriodicDomain domain(tile, options);
+  EXPECT_EQ(domain.report().cut_vertices, 1U);       // in the middle
+  EXPECT_EQ(domain.report().cut_root_vertices, 2U);  // and there
+  EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+}
+
+TEST(PeriodicNotManifold, TilesThatOverlapTheirCopiesAreRefused) {
+  PeriodicTile tile = square_tile(4, 4);
+  PeriodicOptions options = along(true, false, false);
+  options.periods = {{{0.75, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  EXPECT_NE(refusal(tile, options).find("lie at the same place"), std::string::npos)
+      << refusal(tile, options);
+  for (std::size_t f = 24; f < 32; f += 2) {  // the last column gets the other diagonals
+    Index* c = tile.facets.corners.data() + 3 * f;
+    const std::array<Index, 4> q{c[0], c[1], c[2], c[5]};
+    const std::array<Index, 6> other{q[0], q[1], q[3], q[1], q[2], q[3]};
+    std::copy(other.begin(), other.end(), c);
+  }
+  EXPECT_NE(refusal(tile, options).find("more than two facets meet"), std::string::npos)
+      << refusal(tile, options);
 }
 
 }  // namespace

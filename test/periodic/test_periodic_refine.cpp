@@ -2,8 +2,11 @@
 // Tiles too coarse for a simplicial complex, split until they are one.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
 
+#include "multimesh/algorithms/periodic/quotient_edges.hpp"
+#include "multimesh/algorithms/periodic/refine_tile.hpp"
 #include "multimesh/validate.hpp"
 #include "test/periodic/betti.hpp"
 #include "test/periodic/tiles.hpp"
@@ -62,6 +65,48 @@ INSTANTIATE_TEST_SUITE_P(
                     Coarse{"slab1", cube_tile(1), along(true, true, false), {1, 2, 1, 0}},
                     Coarse{"rod2", cube_tile(2), along(false, true, false), {1, 1, 0, 0}}),
     [](const auto& i) { return std::string(i.param.name); });
+
+TEST(PeriodicRefinement, EndsOnLongThinAndShearedTiles) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 60; ++i) {
+    PeriodicTile tile = i % 2 ? cube_tile(1 + i % 3) : square_tile(1 + i % 3, 1 + i % 4);
+    PeriodicOptions options = along(true, true, i % 2, true);
+    options.periods.emplace();
+    Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+    for (int r = 0; r < 3; ++r)
+      for (int c = r; c < 3; ++c)
+        m(r, c) = r == c ? std::exp2(-double(random() % 7)) : double(random() % 5) / 2;
+    for (auto& p : tile.points) Eigen::Map<Eigen::Vector3d>(p.data()) = m * Eigen::Vector3d(p.data());
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r)
+        (*options.periods)[static_cast<std::size_t>(c)][static_cast<std::size_t>(r)] = m(r, c);
+    PeriodicDomain domain(tile, options);
+    EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+    EXPECT_EQ(domain.report().euler, 0) << i;
+    EXPECT_LT(domain.report().added_facets, i % 2 ? 2000U : 400U) << i;
+  }
+}
+
+// The part of the method whose end is certain, without the part that is tried first.
+TEST(PeriodicRefinement, EndsByLongestEdgesAlone) {
+  for (const int d : {2, 3}) {
+    const PeriodicTile in = d == 2 ? square_tile(1, 1) : cube_tile(1);
+    LabelledTile tile;
+    tile.facets = in.facets;
+    tile.input_facet.resize(in.facets.size());
+    for (const auto& p : in.points) tile.point.emplace_back(p.data());
+    for (const auto& p : tile.point)
+      tile.offset.push_back({static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2])});
+    tile.vertex_class.assign(in.points.size(), 0);
+    tile.classes = 1;
+    EXPECT_TRUE(too_short(QuotientEdges(tile)));
+    refine_tile(tile, 0);
+    EXPECT_FALSE(too_short(QuotientEdges(tile)));
+    EXPECT_FALSE(double_facet(tile));
+    EXPECT_LT(tile.facets.size(), d == 2 ? 72U : 3456U);
+    std::cout << "by longest edges: " << in.facets.size() << " -> " << tile.facets.size() << " facets\n";
+  }
+}
 
 TEST(PeriodicRefinement, LeavesAProperTileAlone) {
   PeriodicDomain domain(square_tile(3, 3), along(true, true, false, true));

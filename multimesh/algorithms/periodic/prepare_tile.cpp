@@ -58,7 +58,7 @@ void fit_copies(LabelledTile& tile, const Lattice& lattice, VertexClasses& class
 }
 
 void make_proper(LabelledTile& tile, bool refine, PeriodicReport& report) {
-  if (const auto reason = too_short(tile, QuotientEdges(tile))) {
+  if (const auto reason = too_short(QuotientEdges(tile))) {
     if (!refine)
       throw InputError("the glued tile is no simplicial complex: " + *reason +
                        ". Refine the tile (PeriodicOptions::refine), or make it of several cells");

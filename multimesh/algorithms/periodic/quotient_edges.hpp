@@ -37,7 +37,7 @@ class QuotientEdges {
 };
 
 /// Which periods are too short for the quotient to be a simplicial complex, naming edges; or nothing.
-std::optional<std::string> too_short(const LabelledTile& tile, const QuotientEdges& edges);
+std::optional<std::string> too_short(const QuotientEdges& edges);
 
 /// Two facets of the quotient with the same vertices, or nothing.
 std::optional<std::array<Index, 2>> double_facet(const LabelledTile& tile);

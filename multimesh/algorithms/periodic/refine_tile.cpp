@@ -17,11 +17,9 @@ namespace multimesh {
 
 namespace {
 
-constexpr int direct_rounds = 12;
-
 class Refiner {
  public:
-  explicit Refiner(LabelledTile& tile) : tile_(tile) {}
+  Refiner(LabelledTile& tile, int direct_rounds) : tile_(tile), direct_rounds_(direct_rounds) {}
 
   std::size_t run() {
     std::size_t splits = 0;
@@ -30,8 +28,8 @@ class Refiner {
       rank_by_length(edges);
       find_too_many(edges);
       if (std::none_of(wanted_.begin(), wanted_.end(), [](bool w) { return w; })) return splits;
-      if (round >= direct_rounds) want_longest(edges);
-      choose(edges, round >= direct_rounds);
+      if (round >= direct_rounds_) want_longest(edges);
+      choose(edges, round >= direct_rounds_);
       split_chosen(edges);
       splits += static_cast<std::size_t>(std::count(chosen_.begin(), chosen_.end(), true));
     }
@@ -136,14 +134,15 @@ class Refiner {
   }
 
   LabelledTile& tile_;
+  int direct_rounds_;
   std::vector<Index> rank_, by_rank_;
   std::vector<bool> wanted_, chosen_;
 };
 
 }  // namespace
 
-std::size_t refine_tile(LabelledTile& tile) {
-  return Refiner(tile).run();
+std::size_t refine_tile(LabelledTile& tile, int direct_rounds) {
+  return Refiner(tile, direct_rounds).run();
 }
 
 }  // namespace multimesh
