@@ -38,31 +38,18 @@ std::vector<Complex> components(const Complex& c) {
 
 }  // namespace
 
-namespace {
-
-std::string link_error(const Complex& c, bool balls_only) {
+std::string solid_error(const Complex& c) {
   const SimplexSet all = simplices(c);
   for (const Simplex& s : of_dimension(all, 2))
     if (star(all, s).size() > 3) return "triangle " + to_string(s) + " is in more than two facets";
   for (const Simplex& v : of_dimension(all, 0)) {
     const Complex around = surface_of(link(all, v));
-    if (!is_manifold(around) || number_of_components(around) != 1)
-      return "the link of vertex " + to_string(v) + " is not one surface";
-    const Signature type = signature(around);
-    if (balls_only && type != Signature{2, 0, 1} && type != Signature{1, 1, 1})
+    const bool whole = is_manifold(around) && number_of_components(around) == 1;
+    const Signature type = whole ? signature(around) : Signature{};
+    if (type != Signature{2, 0, 1} && type != Signature{1, 1, 1})
       return "the link of vertex " + to_string(v) + " is neither a sphere nor a disk";
   }
   return {};
-}
-
-}  // namespace
-
-std::string solid_error(const Complex& c) {
-  return link_error(c, true);
-}
-
-std::string pseudo_manifold_error(const Complex& c) {
-  return link_error(c, false);
 }
 
 bool is_orientable_solid(const Complex& c) {

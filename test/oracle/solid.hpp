@@ -12,9 +12,6 @@ namespace multimesh::oracle {
 /// link is neither a sphere nor a disk. Empty for a manifold.
 std::string solid_error(const Complex& c);
 
-/// As solid_error, but links may be any connected surfaces: what parting vertices and edges can achieve.
-std::string pseudo_manifold_error(const Complex& c);
-
 bool is_orientable_solid(const Complex& c);
 
 /// For every component: Betti numbers, orientable, and the homeomorphism type of the boundary; sorted. Equal

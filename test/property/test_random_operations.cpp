@@ -23,7 +23,9 @@ Index facets_of_root(const Tree& tree) {
 }
 
 TEST_P(RandomOperations, LeaveEveryMapValidOnSmallMeshes) {
-  const std::size_t total = operations(60'000) / tree_kinds().size();
+  // The smallest 3-torus is not small.
+  const std::size_t share = GetParam().name == "Torus3Tile" ? 10 : 1;
+  const std::size_t total = operations(30'000) / tree_kinds().size() / share;
   std::size_t tried = 0, done = 0;
   for (unsigned seed = 0; tried < total; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -42,7 +44,7 @@ TEST_P(RandomOperations, LeaveEveryMapValidOnSmallMeshes) {
 }
 
 TEST_P(RandomOperations, LeaveEveryMapValidOnLargerMeshes) {
-  const std::size_t total = 10 * operations(60'000) / tree_kinds().size();
+  const std::size_t total = 10 * operations(30'000) / tree_kinds().size();
   std::size_t tried = 0;
   for (unsigned seed = 100; tried < total; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

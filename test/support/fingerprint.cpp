@@ -29,8 +29,9 @@ class Words {
     }
   }
 
-  /// Corners and neighbours of all slots, dead ones too. What the mesh keeps to itself (the order in which it
-  /// uses dead slots again) shows in what comes next.
+  /// Which slots are dead, and corners and neighbours of the others: what is in a dead slot that is used
+  /// again does not come back. What the mesh keeps to itself (the order in which it does so) shows in what
+  /// comes next.
   void connectivity(const tet::TetMesh& mesh) {
     put(std::uint64_t{mesh.capacity(0)}), put(std::uint64_t{mesh.capacity(3)});
     for (Index v = 0; v < mesh.capacity(0); ++v) {
@@ -39,11 +40,14 @@ class Words {
       put(std::uint64_t{live && mesh.dart_of(0, v) != no_dart && mesh.is_boundary(mesh.dart_of(0, v), 0)});
       put(std::uint64_t{mesh.is_locked(v)});
     }
-    for (Index t = 0; t < mesh.capacity(3); ++t)
+    for (Index t = 0; t < mesh.capacity(3); ++t) {
+      put(std::uint64_t{mesh.is_live(3, t)});
+      if (!mesh.is_live(3, t)) continue;
       for (std::size_t i = 0; i < 4; ++i) {
         put(std::uint64_t{mesh.corners(t)[i]});
         put(std::uint64_t{code(mesh.switch_dart(tet::TetMesh::dart(t, opposite[i]), 3))});
       }
+    }
   }
 
   void connectivity(const Mesh& mesh) {
