@@ -86,12 +86,11 @@ TEST_F(TetrahedraCommands, ValidateNamesAFileThatCannotBeRead) {
 TEST_F(TetrahedraCommands, FillsAClosedSurfaceInEveryFormat) {
   file("cube.obj", cube_obj);
   for (const char* out : {"out.msh", "out.mesh", "out.vtu"}) {
-    const Ended e =
-        run({"tetrahedralize", "cube.obj", "-o", out, "--feature-angle", "40", "--edge-length", "0.2"});
+    const Ended e = run({"tetrahedralize", "cube.obj", "-o", out, "--feature-angle", "40"});
     ASSERT_EQ(e.status, 0) << out << ": " << e.err;
     const Json j = info(out);
     const Json& m = j["meshes"];
-    EXPECT_GT(m["tetrahedra"]["tetrahedra"], 12);
+    EXPECT_GE(m["tetrahedra"]["tetrahedra"], 5);
     EXPECT_EQ(m["tetrahedra"]["euler_characteristic"], 1);
     EXPECT_EQ(m["quality"]["inverted_tetrahedra"], 0);
     EXPECT_EQ(m["surface"]["faces"], 12) << "its triangles are faces";
@@ -100,6 +99,20 @@ TEST_F(TetrahedraCommands, FillsAClosedSurfaceInEveryFormat) {
     EXPECT_NEAR(m["regions"][0]["volume"].get<double>(), 1, 1e-12);
     EXPECT_EQ(run({"validate", out}).status, 0);
   }
+}
+
+TEST_F(TetrahedraCommands, BoundsTheSizeOfTetrahedra) {
+  file("cube.obj", cube_obj);
+  const Ended e =
+      run({"tetrahedralize", "cube.obj", "-o", "out.msh", "--split-surface", "--edge-length", "0.2"});
+  ASSERT_EQ(e.status, 0) << e.err;
+  const Json j = info("out.msh");
+  const Json& m = j["meshes"];
+  EXPECT_GE(m["tetrahedra"]["tetrahedra"], 1 / (0.2 * 0.2 * 0.2 / 8.4))
+      << "the volume by the largest allowed";
+  EXPECT_GT(m["surface"]["faces"], 12);
+  EXPECT_EQ(m["surface"]["euler_characteristic"], 2);
+  EXPECT_NEAR(m["regions"][0]["volume"].get<double>(), 1, 1e-9);
 }
 
 TEST_F(TetrahedraCommands, JoinsPointsOfTheSurfaceThatAreEqual) {
