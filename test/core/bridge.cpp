@@ -4,16 +4,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "adapters/openmesh/make_mesh.hpp"
-#include "oracle/random_trees.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
+#include "oracle/random_solid_trees.hpp"
 
 namespace multimesh::test {
 
 namespace {
-
-constexpr int number_of_orders(int dimension) {
-  return dimension == 1 ? 2 : dimension == 2 ? 6 : 24;
-}
 
 std::size_t corners(int dimension) {
   return static_cast<std::size_t>(dimension) + 1;
@@ -27,7 +23,9 @@ oracle::Complex complex_of(const Mesh& mesh) {
   for (const Dart f : simplices_of(mesh, d)) {
     Index v[4] = {};
     mesh.vertices(f, v);
-    c.facets.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), d == 2 ? static_cast<int>(v[2]) : 0});
+    oracle::Facet facet{};
+    for (std::size_t i = 0; i < corners(d); ++i) facet[i] = static_cast<int>(v[i]);
+    c.facets.push_back(facet);
   }
   return c;
 }
@@ -74,24 +72,21 @@ std::unique_ptr<Tree> tree_from(const oracle::Tree& tree) {
   auto result = std::make_unique<Tree>(root);
   for (std::size_t n = 1; n < tree.nodes.size(); ++n) {
     const NodeId above{static_cast<std::uint32_t>(tree.nodes[n].parent)};
-    auto mesh = openmesh::make_mesh(lists[n]);
+    auto mesh = make_mesh(lists[n]);
     std::vector<Anchor> anchors;
     for (Index f = 0; f < lists[n].size(); ++f) {
       const auto v = lists[n].facet(f);
-      const auto image = [&](std::size_t i) {
-        return static_cast<Index>(tree.nodes[n].image.at(static_cast<int>(v[i])));
-      };
-      const Mesh& parent = result->tree->mesh(above);
-      anchors.push_back(
-          {dart_with(*mesh, f, v.data()), v.size() == 2 ? find_dart(parent, {image(0), image(1)})
-                                                        : find_dart(parent, {image(0), image(1), image(2)})});
+      std::vector<Index> image;
+      for (const Index vertex : v)
+        image.push_back(static_cast<Index>(tree.nodes[n].image.at(static_cast<int>(vertex))));
+      anchors.push_back({dart_with(*mesh, f, v.data()), find_dart(result->tree->mesh(above), image)});
     }
     result->add(result->tree->add_child(above, std::move(mesh), anchors));
   }
   return result;
 }
 
-Dart find_dart(const Mesh& mesh, std::initializer_list<Index> vertices) {
+Dart find_dart(const Mesh& mesh, std::span<const Index> vertices) {
   Index v[4] = {};
   for (const Dart d : all_darts(mesh)) {
     mesh.vertices(d, v);
@@ -138,9 +133,10 @@ PlainTree plain(const oracle::Tree& tree, const std::vector<std::map<int, int>>&
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     oracle::SimplexSet facets;
     for (std::size_t f = 0; f < tree.nodes[n].mesh.facets.size(); ++f) {
-      const oracle::Simplex s = oracle::facet_simplex(tree.nodes[n].mesh, f);
-      facets.push_back(s.n == 2 ? oracle::simplex({name(n, s.v[0]), name(n, s.v[1])})
-                                : oracle::simplex({name(n, s.v[0]), name(n, s.v[1]), name(n, s.v[2])}));
+      oracle::Simplex s;
+      for (std::size_t i = 0; i < corners(tree.nodes[n].mesh.dim); ++i)
+        s = oracle::joined(s, name(n, tree.nodes[n].mesh.facets[f][i]));
+      facets.push_back(s);
     }
     std::sort(facets.begin(), facets.end());
     result.facets.push_back(std::move(facets));
@@ -157,6 +153,13 @@ std::unique_ptr<Tree> random_small_tree(std::uint64_t seed, std::size_t most_fac
     if (auto tree = tree_from(oracle::random_tree(s, {.min_facets = 4, .max_facets = most_facets})))
       return tree;
   throw std::logic_error("no orientable tree");
+}
+
+std::unique_ptr<Tree> random_small_solid_tree(std::uint64_t seed, std::size_t most_facets) {
+  const auto kind = static_cast<oracle::SolidTreeKind>(seed % oracle::kNumberOfSolidTreeKinds);
+  const auto solid = static_cast<oracle::Solid>(seed / oracle::kNumberOfSolidTreeKinds % 4);
+  return tree_from(
+      oracle::random_solid_tree(seed, kind, solid, {.min_facets = 4, .max_facets = most_facets}));
 }
 
 }  // namespace multimesh::test

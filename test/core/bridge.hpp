@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "multimesh/operations.hpp"
 #include "oracle/complex.hpp"
@@ -10,6 +11,11 @@
 
 /// Between the library and the oracles, which know plain lists of facets only.
 namespace multimesh::test {
+
+/// The orderings of a facet's vertices: its darts.
+constexpr std::uint8_t number_of_orders(int dimension) {
+  return dimension == 1 ? 2 : dimension == 2 ? 6 : 24;
+}
 
 /// The live facets of a mesh, with its vertex indices.
 oracle::Complex complex_of(const Mesh& mesh);
@@ -25,7 +31,10 @@ std::optional<FacetList> oriented(const oracle::Complex& complex);
 std::unique_ptr<Tree> tree_from(const oracle::Tree& tree);
 
 /// A live dart of the mesh whose first vertices are these; no_dart if there is none.
-Dart find_dart(const Mesh& mesh, std::initializer_list<Index> vertices);
+Dart find_dart(const Mesh& mesh, std::span<const Index> vertices);
+inline Dart find_dart(const Mesh& mesh, std::initializer_list<Index> vertices) {
+  return find_dart(mesh, std::span(vertices.begin(), vertices.size()));
+}
 
 /// One dart per live k-simplex.
 DartBuffer simplices_of(const Mesh& mesh, int k);
@@ -51,5 +60,7 @@ PlainTree plain(const oracle::Tree& tree, const std::vector<std::map<int, int>>&
 
 /// The trees that exhaustive tests run over: of every kind the oracle knows, small.
 std::unique_ptr<Tree> random_small_tree(std::uint64_t seed, std::size_t most_facets = 16);
+/// The same below a tetrahedral mesh.
+std::unique_ptr<Tree> random_small_solid_tree(std::uint64_t seed, std::size_t most_facets = 16);
 
 }  // namespace multimesh::test

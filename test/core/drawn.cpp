@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
 
 namespace multimesh::test {
 
@@ -46,13 +46,12 @@ NodeId add_drawn(Tree& tree, NodeId parent, const FacetList& child, std::initial
   const Mesh& above = tree.tree->mesh(parent);
   std::vector<Index> facets;
   for (std::size_t f = 0; f < over.size(); ++f) {
-    const auto v = over.facet(f);
-    const Dart d = v.size() == 2 ? find_dart(above, {v[0], v[1]}) : find_dart(above, {v[0], v[1], v[2]});
+    const Dart d = find_dart(above, over.facet(f));
     if (d == no_dart)
       throw std::logic_error("facet " + std::to_string(f) + " of the drawn child lies nowhere");
     facets.push_back(above.facet(d));
   }
-  return tree.add(add_child_by_facets(*tree.tree, parent, child, over, facets, openmesh::make_mesh));
+  return tree.add(add_child_by_facets(*tree.tree, parent, child, over, facets, make_mesh));
 }
 
 std::vector<std::vector<Index>> sorted_facets(const Mesh& mesh) {
@@ -95,7 +94,7 @@ Tree disk_to_individual(Index n) {
     facets.push_back(i);
   }
   Tree tree(shape(fan));
-  tree.add(add_child_by_facets(*tree.tree, NodeId::root, single, fan, facets, openmesh::make_mesh));
+  tree.add(add_child_by_facets(*tree.tree, NodeId::root, single, fan, facets, make_mesh));
   return tree;
 }
 

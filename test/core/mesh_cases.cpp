@@ -3,21 +3,21 @@
 
 #include <random>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
 #include "test/core/bridge.hpp"
-#include "test/support/shapes.hpp"
+#include "test/support/solids.hpp"
 
 namespace multimesh::test {
 
 namespace {
 
 std::unique_ptr<Mesh> make(const FacetList& list) {
-  return openmesh::make_mesh(list);
+  return make_mesh(list);
 }
 
-std::unique_ptr<Mesh> shaken(const FacetList& list, unsigned seed) {
+std::unique_ptr<Mesh> shaken(const FacetList& list, unsigned seed, int operations = 60) {
   auto mesh = make(list);
-  shake(*mesh, seed, 60);
+  shake(*mesh, seed, operations);
   return mesh;
 }
 
@@ -42,12 +42,23 @@ FacetList mixed_curves() {
   return {1, 9, {0, 1, 2, 1, 2, 3, 5, 4, 6, 7, 8, 7, 8, 6}};
 }
 
-FacetList two_components() {
-  FacetList list = grid(2, 1).facets;
-  const FacetList more = sphere(0).facets;
+FacetList joined(FacetList list, const FacetList& more) {
   for (const Index v : more.corners) list.corners.push_back(v + list.vertices);
   list.vertices += more.vertices;
   return list;
+}
+
+FacetList two_components() {
+  return joined(grid(2, 1).facets, sphere(0).facets);
+}
+
+FacetList two_solids() {
+  return joined(cone(sphere(0)).facets, three_cycle().facets);
+}
+
+/// The boundary of a 4-simplex: closed.
+FacetList sphere3() {
+  return tetrahedra({{1, 2, 3, 4}, {0, 2, 3, 4}, {0, 1, 3, 4}, {0, 1, 2, 4}, {0, 1, 2, 3}}).facets;
 }
 
 }  // namespace
@@ -103,7 +114,26 @@ const std::vector<MeshCase>& mesh_cases() {
       {"MixedCurves", [] { return make(mixed_curves()); }},
       {"ShakenChain", [] { return shaken(chain(6), 5); }},
       {"ShakenLoop", [] { return shaken(loop(6), 6); }},
-      {"ShakenMixedCurves", [] { return shaken(mixed_curves(), 7); }}};
+      {"ShakenMixedCurves", [] { return shaken(mixed_curves(), 7); }},
+      {"OneTetrahedron", [] { return make(single_tet().facets); }},
+      {"OneEar", [] { return make(one_ear().facets); }},
+      {"TwoEars", [] { return make(two_ears().facets); }},
+      {"ThreeIncidentTets", [] { return make(three_incident_tets().facets); }},
+      {"ThreeCycle", [] { return make(three_cycle().facets); }},
+      {"FourCycle", [] { return make(four_cycle().facets); }},
+      {"SixCycle", [] { return make(six_cycle().facets); }},
+      {"Box", [] { return make(box(1, 2, 1).facets); }},
+      {"Ball", [] { return make(cone(sphere(0)).facets); }},
+      {"SolidTorus", [] { return make(layers(annulus(3, 1), 1).facets); }},
+      {"Shell", [] { return make(layers(sphere(0), 1).facets); }},
+      {"Sphere3", [] { return make(sphere3()); }},
+      {"Torus3", [] { return make(torus3(3).facets); }},
+      {"TwoSolids", [] { return make(two_solids()); }},
+      {"ShakenTetrahedron", [] { return shaken(single_tet().facets, 8, 30); }},
+      {"ShakenBox", [] { return shaken(box(1, 1, 1).facets, 9, 30); }},
+      {"ShakenShell", [] { return shaken(layers(sphere(0), 1).facets, 10, 20); }},
+      {"ShakenSphere3", [] { return shaken(sphere3(), 11, 30); }},
+      {"ShakenTwoSolids", [] { return shaken(two_solids(), 12, 30); }}};
   return cases;
 }
 

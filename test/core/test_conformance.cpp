@@ -42,7 +42,7 @@ TEST_P(Conformance, IsConnectedCorrectly) {
 }
 
 TEST_P(Conformance, HasAllOrderingsOfEachFacetAsDarts) {
-  const std::size_t orderings = d_ == 1 ? 2 : 6;
+  const std::size_t orderings = number_of_orders(d_);
   for (const Dart f : simplices_of(*mesh_, d_)) {
     std::set<std::uint32_t> codes;
     std::set<std::vector<Index>> orders;
@@ -86,13 +86,13 @@ TEST_P(Conformance, DistantSwitchesCommute) {
 TEST_P(Conformance, ReorderIsAPermutationOfTheVertices) {
   for (const Dart d : all_darts(*mesh_)) {
     const auto v = vertices(d, d_);
-    for (std::uint8_t code = 0; code < (d_ == 1 ? 2 : 6); ++code) {
+    for (std::uint8_t code = 0; code < number_of_orders(d_); ++code) {
       const Permutation p{code};
       const auto w = vertices(mesh_->reorder(d, p), d_);
       for (std::size_t i = 0; i < w.size(); ++i)
         EXPECT_EQ(w[i], v[static_cast<std::size_t>(p[static_cast<int>(i)])]);
       EXPECT_EQ(mesh_->order(d, mesh_->reorder(d, p)), p);
-      for (std::uint8_t next = 0; next < (d_ == 1 ? 2 : 6); ++next)
+      for (std::uint8_t next = 0; next < number_of_orders(d_); ++next)
         EXPECT_EQ(mesh_->reorder(mesh_->reorder(d, p), {next}), mesh_->reorder(d, then(p, {next})));
     }
     for (int k = 0; k < d_; ++k) EXPECT_EQ(mesh_->reorder(d, transposition(k)), mesh_->switch_dart(d, k));
@@ -122,8 +122,8 @@ TEST_P(Conformance, SimplicesAndTheirDartsCorrespond) {
 TEST_P(Conformance, DartsOfDeadFacetsAreDead) {
   std::set<std::uint32_t> live;
   for (const Dart d : all_darts(*mesh_)) live.insert(code(d));
-  for (std::uint32_t c = 0; c < 4 * mesh_->capacity(1) + 8; ++c)
-    EXPECT_EQ(mesh_->is_dart(Dart{c}), live.contains(c)) << c;
+  const std::uint32_t codes = (d_ == 3 ? 32 * mesh_->capacity(3) : 4 * mesh_->capacity(1)) + 64;
+  for (std::uint32_t c = 0; c < codes; ++c) EXPECT_EQ(mesh_->is_dart(Dart{c}), live.contains(c)) << c;
 }
 
 TEST_P(Conformance, StarIsThatOfTheVertexSets) {

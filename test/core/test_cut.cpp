@@ -5,10 +5,11 @@
 #include <random>
 #include <set>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
 #include "multimesh/cut.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
+#include "test/support/solids.hpp"
 
 namespace multimesh::test {
 namespace {
@@ -17,8 +18,9 @@ oracle::Complex complex_of_list(const FacetList& list) {
   oracle::Complex c{list.dimension, {}};
   for (std::size_t f = 0; f < list.size(); ++f) {
     const auto v = list.facet(f);
-    c.facets.push_back(
-        {static_cast<int>(v[0]), static_cast<int>(v[1]), v.size() > 2 ? static_cast<int>(v[2]) : 0});
+    oracle::Facet facet{};
+    std::transform(v.begin(), v.end(), facet.begin(), [](Index i) { return static_cast<int>(i); });
+    c.facets.push_back(facet);
   }
   return c;
 }
@@ -34,8 +36,10 @@ void expect_cut(const FacetList& in, const Cut& out) {
     if (out.reversed[f]) std::swap(back[0], back[1]);
     EXPECT_TRUE(std::equal(back.begin(), back.end(), in.facet(f).begin())) << "facet " << f;
   }
-  EXPECT_EQ(oracle::manifold_error(complex_of_list(out.facets)), "");
-  const MultiMesh tree(openmesh::make_mesh(out.facets));
+  const oracle::Complex made = complex_of_list(out.facets);
+  EXPECT_EQ(oracle::manifold_error(made), "");
+  EXPECT_TRUE(oracle::is_orientable(made));
+  const MultiMesh tree(make_mesh(out.facets));
   EXPECT_EQ(validate(tree), std::vector<std::string>{});
 }
 
@@ -131,6 +135,29 @@ TEST(Cut, LeavesAClosedSurfaceWholeUnderAFin) {
   EXPECT_EQ(c.facets.size(), closed + 1);
 }
 
+/// Two tetrahedra on each side of a face, and one more on the face: three of them there.
+TEST(CutOfSolids, SeparatesTheTetrahedraOfANonManifoldFace) {
+  const Cut c = checked_cut({3, 6, {0, 1, 2, 3, 1, 0, 2, 4, 0, 1, 2, 5}});
+  EXPECT_EQ(components(c), 3);
+}
+
+TEST(CutOfSolids, PartsAnEdgeAndAVertexWhereTwoTetrahedraTouch) {
+  const Cut at_edge = checked_cut({3, 6, {0, 1, 2, 3, 0, 1, 4, 5}});
+  EXPECT_EQ(at_edge.facets.vertices, 8U);
+  const Cut at_vertex = checked_cut({3, 7, {0, 1, 2, 3, 0, 4, 5, 6}});
+  EXPECT_EQ(at_vertex.facets.vertices, 8U);
+}
+
+TEST(CutOfSolids, TurnsTetrahedraToAgree) {
+  const Cut c = checked_cut({3, 5, {0, 1, 2, 3, 0, 1, 2, 4}});
+  EXPECT_EQ(components(c), 1);
+  EXPECT_NE(c.reversed[0], c.reversed[1]);
+}
+
+TEST(CutOfSolids, SeparatesFacetsWithTheSameVertices) {
+  EXPECT_EQ(components(checked_cut({3, 4, {0, 1, 2, 3, 1, 0, 2, 3}})), 2);
+}
+
 TEST(Cut, RefusesADegenerateFacetByItsNumber) {
   try {
     (void)cut(triangles({{0, 1, 2}, {3, 1, 3}}));
@@ -143,7 +170,7 @@ TEST(Cut, RefusesADegenerateFacetByItsNumber) {
 
 TEST(Cut, RefusesVertexNumbersOutOfRange) {
   EXPECT_THROW((void)cut({2, 3, {0, 1, 3}}), InputError);
-  EXPECT_THROW((void)cut({3, 4, {0, 1, 2, 3}}), InputError);
+  EXPECT_THROW((void)cut({3, 4, {0, 1, 2, 4}}), InputError);
 }
 
 //      1---0---2      Curves end where more or fewer than two edges meet.
@@ -190,8 +217,8 @@ FacetList soup(int dimension, Index vertices, std::size_t facets, std::mt19937& 
 TEST(Cut, MakesAnySoupAManifoldProperComplex) {
   std::mt19937 random(1);
   for (int i = 0; i < 6000; ++i) {
-    const int dimension = 1 + i % 2;
-    const auto vertices = static_cast<Index>(4 + random() % 7);
+    const int dimension = 1 + i % 3;
+    const auto vertices = static_cast<Index>(5 + random() % 7);
     const FacetList list = soup(dimension, vertices, 1 + random() % 30, random);
     const CutOptions options{i % 3 == 0 ? [](Index v) { return v % 4 == 0; } : std::function<bool(Index)>{}};
     SCOPED_TRACE("soup " + std::to_string(i));
@@ -201,9 +228,10 @@ TEST(Cut, MakesAnySoupAManifoldProperComplex) {
 }
 
 // What is manifold already stays in one piece, however its facets are ordered and turned.
-TEST(Cut, KeepsShuffledSurfacesWhole) {
+TEST(Cut, KeepsShuffledMeshesWhole) {
   std::mt19937 random(2);
-  for (const Shape& s : {grid(3, 4), annulus(4, 2), torus(4, 4), sphere(1), disk(6)})
+  for (const Shape& s : {grid(3, 4), annulus(4, 2), torus(4, 4), sphere(1), disk(6), six_cycle(),
+                         box(2, 1, 2), layers(annulus(4, 1), 1), layers(sphere(0), 1), torus3(3)})
     for (int i = 0; i < 20; ++i) {
       std::vector<std::vector<Index>> facets;
       for (std::size_t f = 0; f < s.facets.size(); ++f) {
@@ -211,7 +239,7 @@ TEST(Cut, KeepsShuffledSurfacesWhole) {
         std::shuffle(facets.back().begin(), facets.back().end(), random);
       }
       std::shuffle(facets.begin(), facets.end(), random);
-      FacetList list{2, s.facets.vertices, {}};
+      FacetList list{s.facets.dimension, s.facets.vertices, {}};
       for (const auto& f : facets) list.corners.insert(list.corners.end(), f.begin(), f.end());
       const Cut c = checked_cut(list);
       EXPECT_EQ(c.facets.vertices, list.vertices);

@@ -28,7 +28,9 @@ oracle::Simplex as_simplex(std::vector<Index> v) {
 /// The trees of all tests here: made by the oracle's generator, then changed by a few operations.
 class Queries : public testing::TestWithParam<unsigned> {
  protected:
-  Queries() : owner_(random_small_tree(GetParam())), tree_(*owner_->tree) {
+  Queries()
+      : owner_(GetParam() < 60 ? random_small_tree(GetParam()) : random_small_solid_tree(GetParam(), 10)),
+        tree_(*owner_->tree) {
     for (unsigned i = 0; i < 6; ++i) {
       const DartBuffer darts = all_darts(tree_.mesh(NodeId::root));
       const Dart d = darts[(7 * i + GetParam()) % darts.size()];
@@ -37,6 +39,13 @@ class Queries : public testing::TestWithParam<unsigned> {
     }
   }
   int dimension(NodeId n) const { return tree_.mesh(n).dimension(); }
+  /// All of them; of a tetrahedral mesh every fifth, which is prime to their number per facet.
+  static DartBuffer some_darts(const Mesh& mesh) {
+    const DartBuffer all = all_darts(mesh);
+    DartBuffer some;
+    for (std::size_t i = 0; i < all.size(); i += mesh.dimension() == 3 ? 5 : 1) some.push_back(all[i]);
+    return some;
+  }
 
   std::unique_ptr<Tree> owner_;
   const MultiMesh& tree_;
@@ -74,7 +83,7 @@ TEST_P(Queries, FindAllPreimagesOnceInEveryMeshBelow) {
       const auto j = static_cast<int>(std::find(tree_.nodes().begin(), tree_.nodes().end(), below) -
                                       tree_.nodes().begin());
       for (int k = 0; k <= dimension(above); ++k)
-        for (const Dart d : all_darts(tree_.mesh(above))) {
+        for (const Dart d : some_darts(tree_.mesh(above))) {
           DartBuffer found{no_dart};  // results are appended
           tree_.to_descendant(above, d, k, below, found);
           oracle::SimplexSet got;
@@ -135,7 +144,7 @@ TEST_P(Queries, CopiesNameTheOneTheyLieOver) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(RandomTrees, Queries, testing::Range(0U, 60U));
+INSTANTIATE_TEST_SUITE_P(RandomTrees, Queries, testing::Range(0U, 87U));
 
 TEST(Map, OfASeamEdgeHasTwoPreimages) {
   Tree t = two_neighbors();

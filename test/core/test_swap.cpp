@@ -40,8 +40,8 @@ Result try_swap(Tree& t, NodeId n, Dart e, Outcome (Propagation::*swap)(NodeId, 
 TEST(Swap, EqualsSplitAndCollapseWhereSurfacesCoverTheirParents) {
   std::size_t swapped = 0, refused = 0;
   for (unsigned seed = 0; seed < 150; ++seed) {
-    const auto t =
-        seed % 3 ? random_small_tree(seed) : tree_kinds()[seed / 3 % tree_kinds().size()].make(16, seed);
+    const auto t = seed % 3 ? random_small_tree(seed)
+                            : surface_tree_kinds()[seed / 3 % surface_tree_kinds().size()].make(16, seed);
     if (!surfaces_cover(*t->tree)) continue;
     for (const NodeId n : t->tree->nodes())
       for (const Dart e : simplices_of(t->tree->mesh(n), 1)) {

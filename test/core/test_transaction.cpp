@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
@@ -12,9 +14,27 @@
 namespace multimesh::test {
 namespace {
 
-class Transactions : public testing::Test {
+std::unique_ptr<Tree> fan() {
+  auto t = std::make_unique<Tree>(disk_to_individual(6));
+  t->add_boundary(NodeId{1});
+  return t;
+}
+
+std::unique_ptr<Tree> of_kind(const char* name) {
+  for (const TreeKind& kind : solid_tree_kinds())
+    if (kind.name == name) return kind.make(24, 1);
+  return nullptr;
+}
+
+struct NamedTree {
+  std::string name;
+  std::function<std::unique_ptr<Tree>()> make;
+  friend void PrintTo(const NamedTree& t, std::ostream* out) { *out << t.name; }
+};
+
+class Transactions : public testing::TestWithParam<NamedTree> {
  protected:
-  Transactions() : t_(disk_to_individual(6)), rims_(t_.add_boundary(NodeId{1})) {
+  Transactions() : owner_(GetParam().make()), t_(*owner_) {
     for (const NodeId n : t_.tree->nodes()) {
       values_.emplace_back(t_.tree->mesh(n));
       attributes_.push_back(&t_.attribute(n));
@@ -39,20 +59,22 @@ class Transactions : public testing::Test {
     Propagation& o = *t_.operations;
     for (int i = 0; i < 12; ++i) {
       const Dart e = any(31 * i + seed);
-      (void)(i % 3 == 0   ? o.split(NodeId::root, e)
-             : i % 3 == 1 ? o.swap(NodeId::root, e)
+      (void)(i % 5 == 0   ? o.split(NodeId::root, e)
+             : i % 5 == 1 ? o.swap(NodeId::root, e)
+             : i % 5 == 2 ? o.swap_face(NodeId::root, e)
+             : i % 5 == 3 ? o.split_simplex(NodeId::root, e, 2)
                           : o.collapse(NodeId::root, e));
     }
     EXPECT_EQ(validate(*t_.tree), std::vector<std::string>{});
   }
 
-  Tree t_;
-  NodeId rims_;
+  std::unique_ptr<Tree> owner_;
+  Tree& t_;
   std::vector<UserValues> values_;
   std::vector<Attribute*> attributes_;
 };
 
-TEST_F(Transactions, AreUndoneAtTheEndOfTheirScope) {
+TEST_P(Transactions, AreUndoneAtTheEndOfTheirScope) {
   const State before = state();
   {
     const Transaction open(*t_.tree, attributes_);
@@ -62,7 +84,7 @@ TEST_F(Transactions, AreUndoneAtTheEndOfTheirScope) {
   EXPECT_EQ(state(), before);
 }
 
-TEST_F(Transactions, AreKeptIfCommitted) {
+TEST_P(Transactions, AreKeptIfCommitted) {
   State after;
   {
     Transaction open(*t_.tree, attributes_);
@@ -74,7 +96,7 @@ TEST_F(Transactions, AreKeptIfCommitted) {
   mix(2);
 }
 
-TEST_F(Transactions, CommittedInsideAreUndoneWithTheOuterOne) {
+TEST_P(Transactions, CommittedInsideAreUndoneWithTheOuterOne) {
   const State before = state();
   {
     const Transaction outer(*t_.tree, attributes_);
@@ -89,7 +111,7 @@ TEST_F(Transactions, CommittedInsideAreUndoneWithTheOuterOne) {
   EXPECT_EQ(state(), before);
 }
 
-TEST_F(Transactions, UndoneInsideLeaveWhatTheOuterOneDid) {
+TEST_P(Transactions, UndoneInsideLeaveWhatTheOuterOneDid) {
   Transaction outer(*t_.tree, attributes_);
   mix(1);
   const State between = state();
@@ -104,7 +126,7 @@ TEST_F(Transactions, UndoneInsideLeaveWhatTheOuterOneDid) {
   EXPECT_EQ(validate(*t_.tree), std::vector<std::string>{});
 }
 
-TEST_F(Transactions, ReplayToTheSameState) {
+TEST_P(Transactions, ReplayToTheSameState) {
   State first;
   for (int round = 0; round < 3; ++round) {
     const Transaction open(*t_.tree, attributes_);
@@ -114,7 +136,7 @@ TEST_F(Transactions, ReplayToTheSameState) {
   }
 }
 
-TEST_F(Transactions, OfManyMeshesAndAttributesAreUndoneToo) {
+TEST_P(Transactions, OfManyMeshesAndAttributesAreUndoneToo) {
   std::vector<std::vector<double>> more(9, std::vector<double>(200, 0.5));
   std::vector<std::unique_ptr<VertexAttribute<double>>> owners;
   for (auto& v : more) {
@@ -132,7 +154,7 @@ TEST_F(Transactions, OfManyMeshesAndAttributesAreUndoneToo) {
   for (const auto& v : more) EXPECT_EQ(v, std::vector<double>(200, 0.5));
 }
 
-TEST_F(Transactions, OfWritesToAnAttributeRestoreTheFirstValue) {
+TEST_P(Transactions, OfWritesToAnAttributeRestoreTheFirstValue) {
   const Point3 old = t_.points(NodeId::root)[0];
   {
     const Transaction open(*t_.tree, attributes_);
@@ -142,8 +164,18 @@ TEST_F(Transactions, OfWritesToAnAttributeRestoreTheFirstValue) {
   EXPECT_EQ(t_.points(NodeId::root)[0], old);
 }
 
+INSTANTIATE_TEST_SUITE_P(Trees, Transactions,
+                         testing::Values(NamedTree{"Fan", fan},
+                                         NamedTree{"SolidPart", [] { return of_kind("SolidPart"); }},
+                                         NamedTree{"SolidCut", [] { return of_kind("SolidCut"); }},
+                                         NamedTree{"SolidFeatures", [] { return of_kind("SolidFeatures"); }}),
+                         [](const auto& tree) { return tree.param.name; });
+
+class TransactionsOfSurfaces : public Transactions {};
+INSTANTIATE_TEST_SUITE_P(Trees, TransactionsOfSurfaces, testing::Values(NamedTree{"Fan", fan}));
+
 /// For each node, what the user's values are before and after a split of a root edge.
-TEST_F(Transactions, SplitCopiesTheUsersValuesToTheNewHalves) {
+TEST_P(TransactionsOfSurfaces, SplitCopiesTheUsersValuesToTheNewHalves) {
   const MultiMesh& tree = *t_.tree;
   const Dart e = edge(t_, NodeId::root, 0, 1);  // interior; two copies in the child, two in the curves
   std::vector<UserValues::All> before = state().values;
@@ -173,7 +205,7 @@ TEST_F(Transactions, SplitCopiesTheUsersValuesToTheNewHalves) {
     const int c = static_cast<int>(mesh.vertex(mesh.switch_dart(t_.operations->copies()[i].dart, 0)));
     const Index whole = edge_of[node].at(oracle::simplex({a, b}));
     for (const int end : {a, b})
-      EXPECT_EQ(values_[node].edge(edges_after[node].at(oracle::simplex({end, c}))),
+      EXPECT_EQ(std::get<1>(values_[node].all())[edges_after[node].at(oracle::simplex({end, c}))],
                 std::get<1>(before[node])[whole]);
     if (mesh.dimension() != 2) continue;
     for (const auto& [s, f] : facet_of[node])

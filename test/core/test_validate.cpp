@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "adapters/openmesh/connectivity.hpp"
+#include "adapters/tet/tet_mesh.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
+#include "test/support/solids.hpp"
 
 namespace multimesh::test {
 namespace {
@@ -27,9 +29,26 @@ Tree make_tree() {
   return t;
 }
 
+/// Six tetrahedra around 2-3; below them the faces around 2 and a curve on those; three tetrahedra, and their
+/// boundary; a curve. Some elements are dead.
+Tree make_solid_tree() {
+  Tree t(six_cycle());
+  const NodeId fan =
+      add_drawn(t, NodeId::root, triangles({{0, 1, 2}, {2, 3, 0}, {3, 4, 0}, {4, 5, 0}}), {2, 1, 0, 4, 5, 7});
+  (void)add_drawn(t, fan, segments({{0, 1}, {1, 2}}), {3, 0, 1});
+  (void)t.add_boundary(t.add_tagged(NodeId::root, 3, [](Index tet) { return tet < 3; }));
+  (void)add_drawn(t, NodeId::root, segments({{0, 1}, {1, 2}}), {6, 3, 5});
+  EXPECT_TRUE(t.operations->split(NodeId::root, edge(t, NodeId::root, 2, 3)));
+  EXPECT_TRUE(t.operations->split(NodeId::root, edge(t, NodeId::root, 0, 2)));
+  EXPECT_TRUE(t.operations->collapse(NodeId::root, edge(t, NodeId::root, 2, 8), Placement::keep_a()));
+  return t;
+}
+
 class Mutation : public testing::Test {
  protected:
-  Mutation() : t_(make_tree()), tree_(*t_.tree) { EXPECT_EQ(validate(tree_), std::vector<std::string>{}); }
+  explicit Mutation(Tree tree = make_tree()) : t_(std::move(tree)), tree_(*t_.tree) {
+    EXPECT_EQ(validate(tree_), std::vector<std::string>{});
+  }
 
   /// Calls change(), expects a report, then calls restore().
   template <class Change, class Restore>
@@ -70,7 +89,7 @@ class Mutation : public testing::Test {
   /// manifold): turning its anchor gives another valid map.
   bool stands_alone(const Mesh& mesh, Index f) const {
     const Dart d = mesh.dart_of(mesh.dimension(), f);
-    for (std::uint8_t p = 0; p < (mesh.dimension() == 1 ? 2 : 6); ++p)
+    for (std::uint8_t p = 0; p < number_of_orders(mesh.dimension()); ++p)
       if (!mesh.is_boundary(mesh.reorder(d, {p}), mesh.dimension() - 1)) return false;
     return true;
   }
@@ -79,7 +98,15 @@ class Mutation : public testing::Test {
   MultiMesh& tree_;
 };
 
-TEST_F(Mutation, OfAnAnchorsOwnDartIsReported) {
+class MutationOfMaps : public Mutation, public testing::WithParamInterface<bool> {
+ protected:
+  MutationOfMaps() : Mutation(GetParam() ? make_solid_tree() : make_tree()) {}
+};
+
+INSTANTIATE_TEST_SUITE_P(Trees, MutationOfMaps, testing::Bool(),
+                         [](const auto& solid) { return solid.param ? "Solid" : "Surface"; });
+
+TEST_P(MutationOfMaps, OfAnAnchorsOwnDartIsReported) {
   on_anchors([&](NodeId n, Index f) {
     const Mesh& mesh = tree_.mesh(n);
     Anchor a = mesh.anchor(f);
@@ -93,7 +120,7 @@ TEST_F(Mutation, OfAnAnchorsOwnDartIsReported) {
   });
 }
 
-TEST_F(Mutation, OfAnAnchorsParentDartIsReported) {
+TEST_P(MutationOfMaps, OfAnAnchorsParentDartIsReported) {
   on_anchors([&](NodeId n, Index f) {
     const Mesh &mesh = tree_.mesh(n), &above = tree_.mesh(tree_.parent(n));
     const Anchor old = mesh.anchor(f);
@@ -111,17 +138,17 @@ TEST_F(Mutation, OfAnAnchorsParentDartIsReported) {
   });
 }
 
-TEST_F(Mutation, ThatTurnsAnAnchorIsReported) {
+TEST_P(MutationOfMaps, ThatTurnsAnAnchorIsReported) {
   on_anchors([&](NodeId n, Index f) {
     const Mesh& mesh = tree_.mesh(n);
     if (stands_alone(mesh, f)) return;
     const Anchor old = mesh.anchor(f);
-    for (std::uint8_t p = 1; p < (mesh.dimension() == 1 ? 2 : 6); ++p)
+    for (std::uint8_t p = 1; p < number_of_orders(mesh.dimension()); ++p)
       with_anchor(n, f, {mesh.reorder(old.own, {p}), old.parent}, "turned anchor");
   });
 }
 
-TEST_F(Mutation, ThatSwapsTwoAnchorsIsReported) {
+TEST_P(MutationOfMaps, ThatSwapsTwoAnchorsIsReported) {
   on_anchors([&](NodeId n, Index f) {
     Mesh& mesh = tree_.mesh(n);
     for (Index g = 0; g < f; ++g) {
@@ -140,7 +167,7 @@ TEST_F(Mutation, ThatSwapsTwoAnchorsIsReported) {
   });
 }
 
-TEST_F(Mutation, OfALinkIsReported) {
+TEST_P(MutationOfMaps, OfALinkIsReported) {
   for (const NodeId n : tree_.nodes().subspan(1)) {
     const Mesh& mesh = tree_.mesh(n);
     Mesh& above = tree_.mesh(tree_.parent(n));
@@ -256,6 +283,55 @@ TEST_F(Mutation, OfAVertexOrFacesHalfedgeIsReported) {
           where + std::to_string(v.idx()) + ", vertex without halfedge",
           [&] { om.set_halfedge_handle(v, HalfedgeHandle()); }, [&] { om.set_halfedge_handle(v, old); });
     }
+  });
+}
+
+class MutationOfSolids : public Mutation {
+ protected:
+  MutationOfSolids() : Mutation(make_solid_tree()) {}
+  /// test(mesh, live tetrahedron, its words): four corners, then the neighbours beyond the faces opposite.
+  template <class Test>
+  void on_tetrahedra(const Test& test) {
+    for (const NodeId n : tree_.nodes()) {
+      auto* mesh = dynamic_cast<tet::TetMesh*>(&tree_.mesh(n));
+      if (!mesh) continue;
+      for (Index t = 0; t < mesh->capacity(3); ++t)
+        if (mesh->is_live(3, t)) test(*mesh, t, const_cast<Index*>(mesh->corners(t)));
+    }
+  }
+  void with_word(Index& word, Index broken, const std::string& what) {
+    const Index old = word;
+    if (broken == old) return;
+    expect_reported(
+        what + " " + std::to_string(old) + " -> " + std::to_string(broken), [&] { word = broken; },
+        [&] { word = old; });
+  }
+};
+
+TEST_F(MutationOfSolids, OfACornerIsReported) {
+  on_tetrahedra([&](const tet::TetMesh& mesh, Index, Index* words) {
+    for (int i = 0; i < 4; ++i)
+      for (Index v = 0; v < mesh.capacity(0); ++v) with_word(words[i], v, "corner");
+  });
+}
+
+TEST_F(MutationOfSolids, OfANeighbourIsReported) {
+  on_tetrahedra([&](const tet::TetMesh& mesh, Index, Index* words) {
+    for (int i = 4; i < 8; ++i) {
+      with_word(words[i], no_index, "no neighbour");
+      for (Index t = 0; t < mesh.capacity(3); ++t)
+        for (Index p = 0; p < 24; ++p) with_word(words[i], t << 5 | p, "neighbour");
+    }
+  });
+}
+
+TEST_F(MutationOfSolids, OfTwoCornersIsReported) {
+  on_tetrahedra([&](const tet::TetMesh&, Index, Index* words) {
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j)
+        expect_reported(
+            "corners exchanged", [&] { std::swap(words[i], words[j]); },
+            [&] { std::swap(words[i], words[j]); });
   });
 }
 

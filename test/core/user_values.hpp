@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "adapters/openmesh/connectivity.hpp"
+#include "multimesh/mesh.hpp"
 
 namespace multimesh::test {
 
@@ -16,39 +16,28 @@ struct Custom {
   friend bool operator==(const Custom&, const Custom&) = default;
 };
 
-/// Properties of a user's mesh, of types that own memory, with another value on every element.
+/// Properties of a user's mesh, of types that own memory, with another value on every element. Of a
+/// tetrahedral mesh: on vertices, some edges, no halfedges, tetrahedra ("faces"); values of dead elements do
+/// not count, for their slots are used again.
 class UserValues {
  public:
-  explicit UserValues(Mesh& mesh) : om_(dynamic_cast<openmesh::Connectivity&>(mesh).openmesh()) {
-    om_.add_property(vertex_, "user:vertex");
-    om_.add_property(edge_, "user:edge");
-    om_.add_property(halfedge_, "user:halfedge");
-    om_.add_property(face_, "user:face");
-    for (const auto v : om_.all_vertices())
-      om_.property(vertex_, v) = "a name too long to be kept in place " + std::to_string(v.idx());
-    for (const auto e : om_.all_edges()) om_.property(edge_, e) = {e.idx(), 1, 2};
-    for (const auto h : om_.all_halfedges())
-      om_.property(halfedge_, h) = {h.idx(), {"h", std::to_string(h.idx())}};
-    for (const auto f : om_.all_faces()) om_.property(face_, f) = "f" + std::to_string(f.idx());
-  }
+  explicit UserValues(Mesh& mesh);
 
   using All = std::tuple<std::vector<std::string>, std::vector<std::vector<int>>, std::vector<Custom>,
                          std::vector<std::string>>;
-  All all() const {
-    return {om_.property(vertex_).data_vector(), om_.property(edge_).data_vector(),
-            om_.property(halfedge_).data_vector(), om_.property(face_).data_vector()};
-  }
-  const std::string& vertex(Index v) const { return om_.property(vertex_).data_vector().at(v); }
-  const std::vector<int>& edge(Index e) const { return om_.property(edge_).data_vector().at(e); }
-  const Custom& halfedge(Index h) const { return om_.property(halfedge_).data_vector().at(h); }
-  const std::string& face(Index f) const { return om_.property(face_).data_vector().at(f); }
+  All all() const;
+  const std::string& vertex(Index v) const { return vertices_->at(v); }
+  const std::string& face(Index f) const { return faces_->at(f); }
+  const Custom& halfedge(Index h) const { return halfedges_->at(h); }
+  /// Of the edge at a dart; empty if it has none.
+  std::vector<int> edge(Dart d) const;
 
  private:
-  OpenMesh::PolyConnectivity& om_;
-  OpenMesh::VPropHandleT<std::string> vertex_;
-  OpenMesh::EPropHandleT<std::vector<int>> edge_;
-  OpenMesh::HPropHandleT<Custom> halfedge_;
-  OpenMesh::FPropHandleT<std::string> face_;
+  const Mesh* mesh_;
+  const std::vector<std::string>* vertices_ = nullptr;
+  const std::vector<std::string>* faces_ = nullptr;
+  const std::vector<Custom>* halfedges_ = nullptr;
+  const std::vector<std::vector<int>>* edges_ = nullptr;  // null in a tetrahedral mesh
 };
 
 }  // namespace multimesh::test

@@ -61,9 +61,11 @@ std::map<int, int> identified_map(const TreeNode& node, const Complex& mesh, con
 SimplexSet edges_over(const Complex& mesh, const std::map<int, int>& to_root, const Simplex& edge) {
   SimplexSet over;
   for (const auto& f : mesh.facets) {
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(mesh.dim); ++i) {
-      const Simplex side = simplex({f[i], f[(i + 1) % static_cast<std::size_t>(mesh.dim + 1)]});
-      if (mapped(side, to_root) == edge) over.push_back(side);
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(mesh.dim); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Simplex side = simplex({f[i], f[j]});
+        if (mapped(side, to_root) == edge) over.push_back(side);
+      }
     }
   }
   normalize(over);

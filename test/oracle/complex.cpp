@@ -5,12 +5,14 @@
 
 #include "oracle/disjoint_sets.hpp"
 #include "oracle/gluing.hpp"
+#include "oracle/solid.hpp"
 
 namespace multimesh::oracle {
 
 Simplex facet_simplex(const Complex& c, std::size_t facet) {
-  const auto& f = c.facets[facet];
-  return c.dim == 1 ? simplex({f[0], f[1]}) : simplex({f[0], f[1], f[2]});
+  Simplex s;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(c.dim); ++i) s = joined(s, c.facets[facet][i]);
+  return s;
 }
 
 SimplexSet facet_set(const Complex& c) {
@@ -72,9 +74,7 @@ SimplexSet boundary(const Complex& c) {
 SimplexSet with_cone(const SimplexSet& K, const SimplexSet& B, int omega) {
   if (B.empty()) return K;
   SimplexSet cone{simplex({omega})};
-  for (const Simplex& s : B) {
-    cone.push_back(s.n == 1 ? simplex({omega, s.v[0]}) : simplex({omega, s.v[0], s.v[1]}));
-  }
+  for (const Simplex& s : B) cone.push_back(joined(s, omega));
   normalize(cone);
   return unite(K, cone);
 }
@@ -147,7 +147,7 @@ std::string surface_error(const Complex& c) {
 std::string manifold_error(const Complex& c) {
   const std::string error = facet_error(c);
   if (!error.empty()) return error;
-  return c.dim == 1 ? curve_error(c) : surface_error(c);
+  return c.dim == 1 ? curve_error(c) : c.dim == 2 ? surface_error(c) : solid_error(c);
 }
 
 bool is_manifold(const Complex& c) {
@@ -156,6 +156,7 @@ bool is_manifold(const Complex& c) {
 
 bool is_orientable(const Complex& c) {
   if (c.dim == 1) return true;
+  if (c.dim == 3) return is_orientable_solid(c);
   const std::vector<Region> all = regions(glue(c)).types;
   return std::all_of(all.begin(), all.end(), [](const Region& r) { return r.orientable; });
 }
@@ -176,6 +177,7 @@ Signature curve_signature(const Complex& c) {
 }  // namespace
 
 Signature signature(const Complex& c) {
+  if (c.dim == 3) return solid_signature(c);
   return c.dim == 1 ? curve_signature(c) : signature(regions(glue(c)).types);
 }
 

@@ -14,11 +14,14 @@
 /// some 60 facets. Everything is a pure function and may be called from several threads.
 namespace multimesh::oracle {
 
-/// A pure simplicial complex of dimension 1 or 2, given by its facets. Vertices are arbitrary ints other than
-/// kOmega; an edge uses the first two entries of its facet, the third is ignored.
+/// The vertices of a facet in some order; edges and triangles leave the last entries unused.
+using Facet = std::array<int, 4>;
+
+/// A pure simplicial complex of dimension 1 to 3, given by its facets. Vertices are arbitrary ints other than
+/// kOmega; the first dim + 1 entries of a facet count, the others are ignored.
 struct Complex {
   int dim = 2;
-  std::vector<std::array<int, 3>> facets;
+  std::vector<Facet> facets;
 };
 
 /// A mesh of a tree with its containment map.
@@ -85,8 +88,9 @@ std::vector<int> boundary_loops(const Complex& c);
 /// \pre dim 1
 std::vector<int> boundary_points(const Complex& c);
 
-/// Why the complex is no manifold: facet degenerate, facet twice, edge in three facets, link of a vertex not
-/// one circle or one path (dim 1: more than two edges at a vertex), or empty. Empty text for a manifold.
+/// Why the complex is no manifold: facet degenerate, facet twice, three facets at a side, link of a vertex
+/// not one circle or one path (dim 1: more than two edges at a vertex; dim 3: not a sphere or a disk), or
+/// empty. Empty text for a manifold.
 std::string manifold_error(const Complex& c);
 bool is_manifold(const Complex& c);
 
@@ -94,7 +98,8 @@ bool is_manifold(const Complex& c);
 bool is_orientable(const Complex& c);
 
 /// The homeomorphism type of a manifold: for every component (Euler characteristic, number of boundary loops
-/// or points, orientable), sorted. Complete by the classification of surfaces and of curves.
+/// or points, orientable), sorted. Complete by the classification of surfaces and of curves. In dimension 3,
+/// see solid.hpp, it is not.
 Signature signature(const Complex& c);
 
 }  // namespace multimesh::oracle

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace multimesh::oracle {
@@ -10,8 +9,9 @@ namespace multimesh::oracle {
 /// Union-find over 0..n-1; the representative of a set is its smallest member.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t n) : parent_(n), count_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  explicit DisjointSets(std::size_t n) : count_(n) {
+    parent_.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) parent_.push_back(i);
   }
 
   std::size_t find(std::size_t i) const {

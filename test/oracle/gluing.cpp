@@ -19,8 +19,8 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-int corner_of(const std::array<int, 3>& facet, int vertex) {
-  return static_cast<int>(std::find(facet.begin(), facet.end(), vertex) - facet.begin());
+int corner_of(const Facet& facet, int vertex) {
+  return static_cast<int>(std::find(facet.begin(), facet.begin() + 3, vertex) - facet.begin());
 }
 
 /// Joins the corners of the two facets at both ends of the glued edge.
@@ -94,7 +94,7 @@ Gluing glue(const Complex& c, const std::vector<EdgeUse>& uses, const SimplexSet
 namespace {
 
 /// Whether facet g runs along the side i of facet f in the opposite sense, as consistent orientation asks.
-bool opposed(const std::array<int, 3>& f, int i, const std::array<int, 3>& g) {
+bool opposed(const Facet& f, int i, const Facet& g) {
   const int from = f[at((i + 1) % 3)];
   const int to = f[at((i + 2) % 3)];
   return g[at((corner_of(g, to) + 1) % 3)] == from;

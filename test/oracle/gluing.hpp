@@ -25,9 +25,9 @@ std::vector<EdgeUse> edge_uses(const Complex& c);
 /// A surface as triangles glued side to side. Vertices are what the glued sides make of the corners, so this
 /// is always a 2-manifold, in which cut edges lie twice and pinched vertices several times.
 struct Gluing {
-  std::vector<std::array<int, 3>> facets;     ///< vertices of the complex
+  std::vector<Facet> facets;                  ///< vertices of the complex
   std::vector<std::array<int, 3>> neighbour;  ///< facet glued to the side opposite corner i; -1 for none
-  std::vector<std::array<int, 3>> corner;     ///< vertex of the glued surface at corner i, 0..corners-1
+  std::vector<Facet> corner;                  ///< vertex of the glued surface at corner i, 0..corners-1
   int corners = 0;
 };
 

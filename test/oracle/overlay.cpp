@@ -6,30 +6,12 @@
 
 #include "oracle/gluing.hpp"
 #include "oracle/graph_type.hpp"
+#include "oracle/layer_image.hpp"
+#include "oracle/solid_overlay.hpp"
 
 namespace multimesh::oracle {
 
 namespace {
-
-/// The images of all simplices of a layer, each as often as it has preimages.
-class LayerImage {
- public:
-  explicit LayerImage(const Layer& layer) : dim_(layer.mesh->dim), images_(simplices(*layer.mesh)) {
-    for (Simplex& s : images_) s = mapped(s, layer.map);
-    std::sort(images_.begin(), images_.end());
-  }
-
-  int dim() const { return dim_; }
-
-  int count(const Simplex& s) const {
-    const auto [first, last] = std::equal_range(images_.begin(), images_.end(), s);
-    return static_cast<int>(last - first);
-  }
-
- private:
-  int dim_;
-  std::vector<Simplex> images_;
-};
 
 /// Closes every boundary loop of a surface with a cone, each with its own apex.
 Complex capped(const Complex& host) {
@@ -193,6 +175,7 @@ Signature curve_graph(const Complex& host, const std::vector<LayerImage>& layers
 }  // namespace
 
 OverlayType overlay_type(const Complex& host, const std::vector<Layer>& layers, bool host_boundary) {
+  if (host.dim == 3) return solid_overlay_type(host, layers, host_boundary);
   const std::vector<LayerImage> images(layers.begin(), layers.end());
   OverlayType type;
   if (host.dim == 1) {

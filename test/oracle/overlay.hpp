@@ -38,6 +38,8 @@ struct OverlayType {
 ///
 /// Host of dimension 1: no regions; the graph is the host, with preimage counts on vertices and edges;
 /// without `host_boundary` it is first lengthened at its ends.
+///
+/// Host of dimension 3: see solid_overlay.hpp.
 OverlayType overlay_type(const Complex& host, const std::vector<Layer>& layers, bool host_boundary = true);
 
 }  // namespace multimesh::oracle

@@ -13,7 +13,7 @@ void insert_vertex(Simplex& s, int vertex) {
   int at = 0;
   while (at < s.n && s.v[static_cast<std::size_t>(at)] < vertex) ++at;
   if (at < s.n && s.v[static_cast<std::size_t>(at)] == vertex) return;
-  if (s.n == 3) throw std::logic_error("a simplex with more than three vertices");
+  if (s.n == 4) throw std::logic_error("a simplex with more than four vertices");
   for (int i = s.n; i > at; --i) s.v[static_cast<std::size_t>(i)] = s.v[static_cast<std::size_t>(i - 1)];
   s.v[static_cast<std::size_t>(at)] = vertex;
   ++s.n;
@@ -24,6 +24,11 @@ void insert_vertex(Simplex& s, int vertex) {
 Simplex simplex(std::initializer_list<int> vertices) {
   Simplex s;
   for (int v : vertices) insert_vertex(s, v);
+  return s;
+}
+
+Simplex joined(Simplex s, int vertex) {
+  insert_vertex(s, vertex);
   return s;
 }
 
@@ -55,7 +60,7 @@ void normalize(SimplexSet& list) {
 
 SimplexSet closure(const SimplexSet& list) {
   SimplexSet all;
-  all.reserve(list.size() * 7);
+  all.reserve(list.size() * 15);
   for (const Simplex& s : list) {
     for (int subset = 1; subset < (1 << s.n); ++subset) {
       Simplex face;

@@ -10,8 +10,8 @@ namespace multimesh::oracle {
 namespace {
 
 /// The facet with vertex `from` replaced by `to`.
-std::array<int, 3> replaced(std::array<int, 3> facet, int from, int to) {
-  std::replace(facet.begin(), facet.end(), from, to);
+Facet replaced(Facet facet, int dim, int from, int to) {
+  std::replace(facet.begin(), facet.begin() + dim + 1, from, to);
   return facet;
 }
 
@@ -20,8 +20,8 @@ Complex split_edge(const Complex& mesh, const Simplex& edge, int vertex) {
   Complex result{mesh.dim, {}};
   for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
     if (contains(facet_simplex(mesh, f), edge)) {
-      result.facets.push_back(replaced(mesh.facets[f], edge.v[0], vertex));
-      result.facets.push_back(replaced(mesh.facets[f], edge.v[1], vertex));
+      result.facets.push_back(replaced(mesh.facets[f], mesh.dim, edge.v[0], vertex));
+      result.facets.push_back(replaced(mesh.facets[f], mesh.dim, edge.v[1], vertex));
     } else {
       result.facets.push_back(mesh.facets[f]);
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "oracle/disjoint_sets.hpp"
 #include "oracle/gluing.hpp"
 #include "oracle/image.hpp"
 
@@ -65,6 +66,39 @@ TreeNode curve_child(const Complex& parent, int parent_index, const SimplexSet& 
     node.mesh.facets.push_back({from, ids.vertex(e.v[1]), -1});
   }
   node.image = ids.image;
+  return node;
+}
+
+TreeNode cut_child(int parent_index, const SimplexSet& over, const SimplexSet& cuts) {
+  const int corners = over.at(0).n;
+  const auto corner = [&](std::size_t facet, int vertex) {
+    int i = 0;
+    while (over[facet].v[static_cast<std::size_t>(i)] != vertex) ++i;
+    return facet * static_cast<std::size_t>(corners) + static_cast<std::size_t>(i);
+  };
+  std::map<Simplex, std::vector<std::size_t>> sides;
+  for (std::size_t f = 0; f < over.size(); ++f)
+    for (int i = 0; i < corners; ++i)
+      sides[minus(over[f], simplex({over[f].v[static_cast<std::size_t>(i)]}))].push_back(f);
+  DisjointSets sets(over.size() * static_cast<std::size_t>(corners));
+  for (const auto& [side, uses] : sides) {
+    if (uses.size() != 2 || contains(cuts, side)) continue;
+    for (int i = 0; i < side.n; ++i) {
+      const int v = side.v[static_cast<std::size_t>(i)];
+      sets.join(corner(uses[0], v), corner(uses[1], v));
+    }
+  }
+  TreeNode node{{corners - 1, {}}, parent_index, {}};
+  for (std::size_t f = 0; f < over.size(); ++f) {
+    Facet facet{-1, -1, -1, -1};
+    for (int i = 0; i < corners; ++i) {
+      const int v = over[f].v[static_cast<std::size_t>(i)];
+      const int copy = static_cast<int>(sets.find(corner(f, v)));
+      facet[static_cast<std::size_t>(i)] = copy;
+      node.image[copy] = v;
+    }
+    node.mesh.facets.push_back(facet);
+  }
   return node;
 }
 

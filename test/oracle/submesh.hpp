@@ -23,6 +23,13 @@ TreeNode surface_child(const Complex& parent, int parent_index, const std::vecto
 TreeNode curve_child(const Complex& parent, int parent_index, const SimplexSet& edges,
                      const std::vector<int>& cut_at = {});
 
+/// A child of any dimension over k-simplices of the parent, whose corners are merged only across sides that
+/// lie in exactly two of them and are not cut. Not a manifold if copies of a side have the same ends, or a
+/// vertex of a solid is not inside a ball: ask tree_error().
+///
+/// \pre `over` not empty, of one dimension
+TreeNode cut_child(int parent_index, const SimplexSet& over, const SimplexSet& cuts = {});
+
 /// The cut graph of a surface child in a host, and its special vertices.
 struct SeamGraph {
   SimplexSet edges;          ///< seams (two preimages), and edges between covered and uncovered facets

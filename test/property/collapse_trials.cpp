@@ -49,6 +49,7 @@ CollapseTrials::CollapseTrials(const oracle::Tree& plain, std::uint64_t seed, Le
 void CollapseTrials::run(const std::function<void(const Trial&)>& report) {
   const Mesh& root = tree_.mesh(NodeId::root);
   for (Index e = 0; e < root.capacity(1); ++e) {
+    if (!root.is_live(1, e)) continue;
     Trial trial = attempt(root.dart_of(1, e));
     if (trial.fault.empty() && !identical(to_oracle(tree_), plain_)) trial.fault = "not undone exactly";
     report(trial);
@@ -130,8 +131,8 @@ void TrialCount::add(const Trial& trial) {
 
 std::string TrialCount::header() {
   std::array<char, 160> line{};
-  std::snprintf(line.data(), line.size(), "%-36s %10s %9s %8s %8s %9s %9s", "kind of tree", "candidates",
-                "accepted", "invalid", "changed", "refused", "harmless");
+  std::snprintf(line.data(), line.size(), "%-36s %10s %9s %8s %8s %9s %9s  by L, U, P, C", "kind of tree",
+                "candidates", "accepted", "invalid", "changed", "refused", "harmless");
   return line.data();
 }
 
@@ -139,8 +140,10 @@ std::string TrialCount::row(const std::string& name) const {
   std::array<char, 160> line{};
   const double share =
       refused == 0 ? 0 : 100.0 * static_cast<double>(harmless) / static_cast<double>(refused);
-  std::snprintf(line.data(), line.size(), "%-36s %10zu %9zu %8zu %8zu %9zu %7.2f %%", name.c_str(),
-                candidates, accepted, invalid, changed, refused, share);
+  std::snprintf(line.data(), line.size(), "%-36s %10zu %9zu %8zu %8zu %9zu %7.2f %%  %zu %zu %zu %zu",
+                name.c_str(), candidates, accepted, invalid, changed, refused, share,
+                harmless_refused_by(Check::link_condition), harmless_refused_by(Check::gluing),
+                harmless_refused_by(Check::placement), harmless_refused_by(Check::contact));
   return line.data();
 }
 

@@ -5,10 +5,11 @@
 #include <array>
 #include <stdexcept>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/algorithms/make_mesh.hpp"
 #include "multimesh/build.hpp"
 #include "multimesh/permutation.hpp"
 #include "oracle/image.hpp"
+#include "oracle/orientation.hpp"
 #include "oracle/random_surface.hpp"
 
 namespace multimesh::test {
@@ -20,39 +21,6 @@ using oracle::Simplex;
 
 std::size_t corners(const Complex& c) {
   return static_cast<std::size_t>(c.dim) + 1;
-}
-
-/// Whether the facet runs along the edge from u to v.
-bool runs_along(const std::array<int, 3>& f, int u, int v) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (f[i] == u && f[(i + 1) % 3] == v) return true;
-  return false;
-}
-
-/// Turns the facets of each component so that neighbours agree, its first one at random.
-/// \return whether that is possible
-bool orient(Complex& c, bool mirror, std::mt19937_64& rng) {
-  if (c.dim == 1) return true;
-  std::vector<bool> seen(c.facets.size(), false);
-  for (std::size_t start = 0; start < c.facets.size(); ++start) {
-    if (seen[start]) continue;
-    if (mirror && oracle::chance(rng, 50)) std::swap(c.facets[start][0], c.facets[start][1]);
-    seen[start] = true;
-    std::vector<std::size_t> queue{start};
-    for (std::size_t q = 0; q < queue.size(); ++q)
-      for (std::size_t side = 0; side < 3; ++side) {
-        const int u = c.facets[queue[q]][side], v = c.facets[queue[q]][(side + 1) % 3];
-        for (std::size_t f = 0; f < c.facets.size(); ++f) {
-          if (f == queue[q] || !contains(facet_simplex(c, f), oracle::simplex({u, v}))) continue;
-          const bool agrees = runs_along(c.facets[f], v, u);
-          if (seen[f] && !agrees) return false;
-          if (!seen[f] && !agrees) std::swap(c.facets[f][0], c.facets[f][1]);
-          if (!seen[f]) queue.push_back(f);
-          seen[f] = true;
-        }
-      }
-  }
-  return true;
 }
 
 std::map<int, Index> ranks(const Complex& c) {
@@ -83,10 +51,12 @@ std::optional<MultiMesh> to_multimesh(const oracle::Tree& plain, std::mt19937_64
   std::vector<std::map<int, Index>> names;
   for (const oracle::TreeNode& node : plain.nodes) {
     meshes.push_back(node.mesh);
-    if (!orient(meshes.back(), node.parent >= 0, rng)) return std::nullopt;
+    std::function<bool()> mirror;
+    if (node.parent >= 0) mirror = [&rng] { return oracle::chance(rng, 50); };
+    if (!oracle::orient(meshes.back(), mirror)) return std::nullopt;
     names.push_back(ranks(node.mesh));
   }
-  MultiMesh tree(openmesh::make_mesh(facet_list(meshes[0], names[0])));
+  MultiMesh tree(make_mesh(facet_list(meshes[0], names[0])));
   for (std::size_t i = 1; i < plain.nodes.size(); ++i) {
     const oracle::TreeNode& node = plain.nodes[i];
     const auto above = static_cast<std::size_t>(node.parent);
@@ -98,7 +68,7 @@ std::optional<MultiMesh> to_multimesh(const oracle::Tree& plain, std::mt19937_64
     for (std::size_t f = 0; f < meshes[i].facets.size(); ++f)
       parents.push_back(facet_with(meshes[above], mapped(facet_simplex(meshes[i], f), node.image), rng));
     add_child_by_facets(tree, static_cast<NodeId>(above), facet_list(meshes[i], names[i]), over, parents,
-                        openmesh::make_mesh);
+                        make_mesh);
   }
   return tree;
 }
@@ -115,7 +85,7 @@ oracle::Tree to_oracle(const MultiMesh& tree) {
       const Anchor anchor = i == 0 ? Anchor{mesh.dart_of(mesh.dimension(), f)} : mesh.anchor(f);
       mesh.vertices(anchor.own, own.data());
       if (i > 0) tree.mesh(tree.parent(n)).vertices(anchor.parent, image.data());
-      std::array<int, 3> facet{-1, -1, -1};
+      oracle::Facet facet{-1, -1, -1, -1};
       for (std::size_t k = 0; k < corners(node.mesh); ++k) {
         facet[k] = static_cast<int>(own[k]);
         if (i == 0) continue;
@@ -194,7 +164,7 @@ std::string query_difference(const MultiMesh& tree, const oracle::Tree& plain) {
         const auto simplex_of = [k](const Mesh& m, Dart dart) {
           std::array<Index, 4> v{};
           m.vertices(dart, v.data());
-          std::array<int, 3> w{-1, -1, -1};
+          oracle::Facet w{-1, -1, -1, -1};
           for (std::size_t j = 0; j <= static_cast<std::size_t>(k); ++j) w[j] = static_cast<int>(v[j]);
           return w;
         };
@@ -206,10 +176,10 @@ std::string query_difference(const MultiMesh& tree, const oracle::Tree& plain) {
           const auto w = simplex_of(mesh, e);
           for (std::size_t j = 0; j <= static_cast<std::size_t>(k); ++j)
             if (node.image.at(w[j]) != order[j]) return "a preimage with its vertices in another order";
-          over.push_back(k == 0 ? oracle::simplex({w[0]}) : oracle::facet_simplex({k, {w}}, 0));
+          over.push_back(oracle::facet_simplex({k, {w}}, 0));
         }
         oracle::normalize(over);
-        const Simplex image = k == 0 ? oracle::simplex({order[0]}) : oracle::facet_simplex({k, {order}}, 0);
+        const Simplex image = oracle::facet_simplex({k, {order}}, 0);
         if (over.size() != found.size()) return "a preimage that is reported twice";
         if (over != preimages(node.mesh, node.image, image))
           return "mesh " + std::to_string(i) + ": wrong preimages of " + to_string(image);

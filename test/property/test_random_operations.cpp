@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "test/support/storm.hpp"
@@ -16,13 +17,20 @@ std::size_t operations(std::size_t fallback) {
 
 class RandomOperations : public testing::TestWithParam<TreeKind> {};
 
+Index facets_of_root(const Tree& tree) {
+  const Mesh& root = tree.tree->mesh(NodeId::root);
+  return root.capacity(root.dimension());
+}
+
 TEST_P(RandomOperations, LeaveEveryMapValidOnSmallMeshes) {
-  const std::size_t total = operations(60'000) / tree_kinds().size();
+  // The smallest 3-torus is not small.
+  const std::size_t share = GetParam().name == "Torus3Tile" ? 10 : 1;
+  const std::size_t total = operations(30'000) / tree_kinds().size() / share;
   std::size_t tried = 0, done = 0;
   for (unsigned seed = 0; tried < total; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto tree = GetParam().make(24, seed);
-    Storm storm(*tree, seed, 16, 60);
+    Storm storm(*tree, seed, 16, std::max<Index>(60, facets_of_root(*tree)));
     ASSERT_EQ(storm.fault(), "");
     for (std::size_t i = 0; i < 500; ++i, ++tried) {
       storm.step();
@@ -36,7 +44,7 @@ TEST_P(RandomOperations, LeaveEveryMapValidOnSmallMeshes) {
 }
 
 TEST_P(RandomOperations, LeaveEveryMapValidOnLargerMeshes) {
-  const std::size_t total = 10 * operations(60'000) / tree_kinds().size();
+  const std::size_t total = 10 * operations(30'000) / tree_kinds().size();
   std::size_t tried = 0;
   for (unsigned seed = 100; tried < total; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "test/support/fingerprint.hpp"
 
+#include <array>
 #include <bit>
 
 #include "adapters/openmesh/connectivity.hpp"
+#include "adapters/tet/tet_mesh.hpp"
 
 namespace multimesh::test {
 
@@ -27,6 +29,33 @@ class Words {
     }
   }
 
+  /// Which slots are dead, and corners and neighbours of the others: what is in a dead slot that is used
+  /// again does not come back. What the mesh keeps to itself (the order in which it does so) shows in what
+  /// comes next.
+  void connectivity(const tet::TetMesh& mesh) {
+    put(std::uint64_t{mesh.capacity(0)}), put(std::uint64_t{mesh.capacity(3)});
+    for (Index v = 0; v < mesh.capacity(0); ++v) {
+      const bool live = mesh.is_live(0, v);
+      put(std::uint64_t{live}), put(std::uint64_t{code(mesh.dart_of(0, v))});
+      put(std::uint64_t{live && mesh.dart_of(0, v) != no_dart && mesh.is_boundary(mesh.dart_of(0, v), 0)});
+      put(std::uint64_t{mesh.is_locked(v)});
+    }
+    for (Index t = 0; t < mesh.capacity(3); ++t) {
+      put(std::uint64_t{mesh.is_live(3, t)});
+      if (!mesh.is_live(3, t)) continue;
+      for (std::size_t i = 0; i < 4; ++i) {
+        put(std::uint64_t{mesh.corners(t)[i]});
+        put(std::uint64_t{code(mesh.switch_dart(tet::TetMesh::dart(t, opposite[i]), 3))});
+      }
+    }
+  }
+
+  void connectivity(const Mesh& mesh) {
+    if (const auto* tets = dynamic_cast<const tet::TetMesh*>(&mesh)) return connectivity(*tets);
+    connectivity(
+        const_cast<openmesh::Connectivity&>(dynamic_cast<const openmesh::Connectivity&>(mesh)).openmesh());
+  }
+
   void map(const MultiMesh& tree, NodeId n) {
     const Mesh& mesh = tree.mesh(n);
     const int k = mesh.dimension();
@@ -38,14 +67,19 @@ class Words {
       if (above.is_live(k, s)) put(std::uint64_t{tree.facet_over(n, above.dart_of(k, s))});
   }
 
-  void points(const std::vector<Point3>& values) {
-    for (const Point3& p : values)
-      for (int i = 0; i < 3; ++i) put(std::bit_cast<std::uint64_t>(p[i]));
+  /// Of all slots; of a tetrahedral mesh, which uses them again, those of live vertices.
+  void points(const Mesh& mesh, const std::vector<Point3>& values) {
+    for (Index v = 0; v < values.size(); ++v)
+      if (mesh.dimension() < 3 || mesh.is_live(0, v))
+        for (int i = 0; i < 3; ++i) put(std::bit_cast<std::uint64_t>(values[v][i]));
   }
 
   std::vector<std::uint64_t> take() { return std::move(words_); }
 
  private:
+  /// Orderings with each corner last.
+  static constexpr std::array<Permutation, 4> opposite{permutation(1, 2, 3, 0), permutation(0, 2, 3, 1),
+                                                       permutation(0, 1, 3, 2), Permutation{}};
   std::vector<std::uint64_t> words_;
 };
 
@@ -54,9 +88,9 @@ class Words {
 std::vector<std::uint64_t> fingerprint(Tree& tree) {
   Words words;
   for (const NodeId n : tree.tree->nodes()) {
-    words.connectivity(dynamic_cast<openmesh::Connectivity&>(tree.tree->mesh(n)).openmesh());
+    words.connectivity(tree.tree->mesh(n));
     if (n != NodeId::root) words.map(*tree.tree, n);
-    words.points(tree.points(n));
+    words.points(tree.tree->mesh(n), tree.points(n));
   }
   return words.take();
 }

@@ -9,7 +9,8 @@
 namespace multimesh::test {
 
 /// Every word of a tree: connectivity, counts, status bits, anchors, links and positions of all meshes,
-/// dead elements included. Equal fingerprints: nothing has changed.
+/// dead elements included (but for what is in dead slots of a tetrahedral mesh). Equal fingerprints: nothing
+/// has changed.
 std::vector<std::uint64_t> fingerprint(Tree& tree);
 
 }  // namespace multimesh::test

@@ -16,7 +16,7 @@ Dart Storm::random_dart(NodeId n) {
   for (;;) {
     const auto f = static_cast<Index>(random_() % mesh.capacity(d));
     if (!mesh.is_live(d, f)) continue;
-    const auto p = static_cast<std::uint8_t>(random_() % (d == 2 ? 6 : 2));
+    const auto p = static_cast<std::uint8_t>(random_() % (d == 3 ? 24 : d == 2 ? 6 : 2));
     return mesh.reorder(mesh.dart_of(d, f), {p});
   }
 }
@@ -25,7 +25,8 @@ namespace {
 
 Index count_live(const Mesh& mesh) {
   Index live = 0;
-  for (Index f = 0; f < mesh.capacity(2); ++f) live += mesh.is_live(2, f);
+  const int d = mesh.dimension();
+  for (Index f = 0; f < mesh.capacity(d); ++f) live += mesh.is_live(d, f);
   return live;
 }
 
@@ -39,6 +40,7 @@ void Storm::step() {
   const Mesh& root = tree_.tree->mesh(NodeId::root);
   if (steps_++ % 128 == 0) live_ = count_live(root);
 
+  const auto dimension = static_cast<unsigned>(tree_.tree->mesh(n).dimension());
   auto choice = static_cast<unsigned>(random_() % 100);
   if (live_ > most_) choice = 40 + choice / 2;
   if (live_ < fewest_) choice /= 3;
@@ -52,7 +54,10 @@ void Storm::step() {
                                      : Placement::at(0.125 * static_cast<double>(random_() % 9));
     ok = bool(ops.collapse(n, d, p));
   } else if (choice < 95) {
-    ok = bool(choice < 90 ? ops.swap(n, d) : ops.swap_by_split_and_collapse(n, d));
+    ok = bool(choice < 82   ? ops.split_simplex(n, d, 1 + static_cast<int>(random_() % dimension))
+              : choice < 86 ? ops.swap_face(n, d)
+              : choice < 91 ? ops.swap(n, d)
+                            : ops.swap_by_split_and_collapse(n, d));
   } else {
     const Point3 shift(0.01 * static_cast<double>(random_() % 10), 0.0, 0.001);
     ok = bool(ops.relocate(n, d, [&](const Event& e) {
@@ -63,7 +68,7 @@ void Storm::step() {
     }));
   }
   ok ? ++done : ++refused;
-  if (root.capacity(2) > 4 * (most_ + live_)) {
+  if (root.capacity(root.dimension()) > 4 * (most_ + live_) || steps_ % 300 == 0) {
     tree_.tree->compact();
     ++compactions;
   }

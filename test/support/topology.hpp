@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <ostream>
 
 #include "multimesh/mesh.hpp"
 
@@ -11,8 +12,13 @@ namespace multimesh::test {
 struct Topology {
   long euler = 0;
   long components = 0;
-  long boundary = 0;  ///< loops (dimension 2) or end points (dimension 1)
+  long boundary = 0;        ///< surfaces (dimension 3), loops (2) or end points (1)
+  long boundary_euler = 0;  ///< of the boundary of a mesh of dimension 3
   friend bool operator==(const Topology&, const Topology&) = default;
+  friend void PrintTo(const Topology& t, std::ostream* out) {
+    *out << "euler " << t.euler << ", components " << t.components << ", boundary " << t.boundary
+         << ", its euler " << t.boundary_euler;
+  }
 };
 
 Topology topology(const Mesh& mesh);

@@ -22,8 +22,8 @@ class Tree {
   explicit Tree(const Shape& root);
 
   NodeId add(NodeId id);  ///< gives a mesh that was just added its positions
-  /// A child over all facets, cut open along the given root edges (vertex pairs).
-  NodeId add_cut(NodeId parent, const std::function<bool(Index edge)>& seam);
+  /// A child over all facets, cut open along the given sides of facets.
+  NodeId add_cut(NodeId parent, const std::function<bool(Index side)>& seam);
   NodeId add_tagged(NodeId parent, int k, const std::function<bool(Index)>& tagged, const CutOptions& = {});
   NodeId add_boundary(NodeId parent);
 
@@ -45,8 +45,16 @@ struct TreeKind {
   friend void PrintTo(const TreeKind& k, std::ostream* out) { *out << k.name; }
 };
 
-/// The kinds that the random tests run on: surface + UV; surface + UV + seam curves below the UV; surface +
-/// boundary + feature curves; UV of UV, three deep; curves below curves; a torus with its square tile.
+/// Below a surface: UV; UV + seam curves below the UV; boundary + feature curves; UV of UV, three deep;
+/// curves below curves; a torus with its square tile.
+const std::vector<TreeKind>& surface_tree_kinds();
+
+/// Below a tetrahedral mesh: its boundary; a closed surface; an open one + its boundary; two that meet in
+/// curves + those; boundary + curves on it and beside it; any triangles and edges; a part + its boundary +
+/// curves, three deep; all of it cut open + parts; the 3-torus with its cube and the surface of that.
+const std::vector<TreeKind>& solid_tree_kinds();
+
+/// All kinds that the random tests run on.
 const std::vector<TreeKind>& tree_kinds();
 
 }  // namespace multimesh::test
