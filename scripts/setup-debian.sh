@@ -4,7 +4,8 @@
 set -euo pipefail
 
 packages=(cmake ninja-build g++ git ccache pkg-config
-  libopenmesh-dev libeigen3-dev libembree-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
+  libopenmesh-dev libeigen3-dev libembree-dev libcgal-dev libgmp-dev libmpfr-dev
+  libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
 
 # HTML reports. NodeSource's nodejs brings an npm of its own, which Debian's npm conflicts with.
 command -v npm >/dev/null || packages+=(nodejs npm)
