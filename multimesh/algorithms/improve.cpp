@@ -77,20 +77,16 @@ std::size_t count_bad(const Improver& improver) {
   return n;
 }
 
-/// Plain passes while they help, then daring ones.
+/// A plain pass, then daring ones while they help.
 int run(Improver& improver, const ImproveOptions& options) {
   int pass = 0;
-  bool daring = false;
   while (pass < options.max_passes) {
     const std::size_t resized = options.edge_length > 0 ? improver.resize() : 0;
-    const std::size_t bad = count_bad(improver);
-    if (bad == 0 && resized == 0) break;
+    if (count_bad(improver) == 0 && resized == 0) break;
     ++pass;
-    const std::size_t done = improver.pass(daring);
+    const std::size_t done = improver.pass(pass > 1);
     if (options.progress) options.progress(pass, count_bad(improver));
-    if (done + resized > 0) continue;
-    if (daring) break;
-    daring = true;
+    if (done + resized == 0 && pass > 1) break;
   }
   return pass;
 }

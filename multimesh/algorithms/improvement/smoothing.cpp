@@ -14,34 +14,25 @@ namespace {
 constexpr int most_steps = 10, most_halvings = 12;
 constexpr double least_gain = 1e-3;  // per step, relative to the energy
 
-double fourth_power(double x) {
-  return x * x * x * x;
-}
-
 double energy(const Vec3& v, const std::vector<Opposite>& around) {
   double sum = 0;
-  for (const Opposite& o : around) {
-    const double cube = cubed_amips(v, o[0], o[1], o[2]);
-    sum += cube * std::cbrt(cube);
-  }
+  for (const Opposite& o : around) sum += cubed_amips(v, o[0], o[1], o[2]);
   return sum;
 }
 
 struct Derivatives {
-  double value = 0;
   Vec3 gradient = Vec3::Zero();
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
 };
 
-// Of f^4: 4 f^3 grad f, and 4 f^3 hess f + 12 f^2 grad f grad f^T.
+// Of f^3: 3 f^2 grad f, and 3 f^2 hess f + 6 f grad f grad f^T.
 Derivatives derivatives(const Vec3& v, const std::vector<Opposite>& around) {
   Derivatives sum;
   for (const Opposite& o : around) {
     const AmipsDerivatives f = amips_derivatives(v, o[0], o[1], o[2]);
     const double square = f.value * f.value;
-    sum.value += fourth_power(f.value);
-    sum.gradient += 4 * square * f.value * f.gradient;
-    sum.hessian += 4 * square * f.value * f.hessian + 12 * square * (f.gradient * f.gradient.transpose());
+    sum.gradient += 3 * square * f.gradient;
+    sum.hessian += 3 * square * f.hessian + 6 * f.value * (f.gradient * f.gradient.transpose());
   }
   return sum;
 }

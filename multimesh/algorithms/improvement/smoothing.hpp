@@ -14,8 +14,8 @@ using Opposite = std::array<Vec3, 3>;
 /// Along which coordinate axes the vertex may move.
 using Axes = std::array<bool, 3>;
 
-/// Where a vertex is best among its tetrahedra: minimizes the sum of the fourth powers of their AMIPS energies,
-/// which the worst of them dominates, by Newton's method with the exact gradient and Hessian and a backtracking
+/// Where a vertex is best among its tetrahedra: minimizes the sum of the cubes of their AMIPS energies, which
+/// the worst of them dominates, by Newton's method with the exact gradient and Hessian and a backtracking
 /// line search that stays where all are positive. Starts from `start`, or, if one is inverted or flat there in
 /// floating point, from the mean of the corners around.
 /// \return the place; `start` where nothing was gained. Cost: up to 10 steps of some 100 ns per tetrahedron
