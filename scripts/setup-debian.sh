@@ -7,6 +7,9 @@ packages=(cmake ninja-build g++ git ccache pkg-config
   libopenmesh-dev libeigen3-dev libembree-dev libcgal-dev libgmp-dev libmpfr-dev
   libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
 
+# Tetrahedra (MULTIMESH_WITH_TETGEN). AGPL-3, unlike all the others.
+packages+=(libtet1.5-dev)
+
 # HTML reports. NodeSource's nodejs brings an npm of its own, which Debian's npm conflicts with.
 command -v npm >/dev/null || packages+=(nodejs npm)
 # Their tests. Elsewhere, and on Ubuntu, where it is a snap, they are skipped without a Chromium.

@@ -40,10 +40,10 @@ constexpr std::array text_signatures = {
 constexpr std::array other_meshes = {
     Signature{"ply\n"sv, "this is a PLY file; give it the extension .ply"},
     Signature{"ply\r"sv, "this is a PLY file; give it the extension .ply"},
-    Signature{"solid "sv, "this is an STL file; convert it to OBJ or PLY"},
-    Signature{"off\n"sv, "this is an OFF file; convert it to OBJ or PLY"},
-    Signature{"$meshformat"sv, "this is a Gmsh file; convert it to OBJ or PLY"},
-    Signature{"# vtk datafile"sv, "this is a VTK file; convert it to OBJ or PLY"}};
+    Signature{"solid "sv, "this is an STL file; give it the extension .stl"},
+    Signature{"off\n"sv, "this is an OFF file; give it the extension .off"},
+    Signature{"$meshformat"sv, "this is a Gmsh file; give it the extension .msh"},
+    Signature{"# vtk datafile"sv, "this is a VTK file; give it the extension .vtk"}};
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -60,6 +60,8 @@ std::string_view without_leading_blanks(std::string_view text) {
   return first == std::string_view::npos ? std::string_view{} : text.substr(first);
 }
 
+}  // namespace
+
 void refuse_foreign(std::string_view bytes, std::string_view file) {
   if (bytes.empty()) fail_file(file, "the file is empty; export the mesh again");
   for (const Signature& s : exact_signatures)
@@ -68,8 +70,6 @@ void refuse_foreign(std::string_view bytes, std::string_view file) {
   for (const Signature& s : text_signatures)
     if (begins_with(text, s.begin)) fail_file(file, s.message);
 }
-
-}  // namespace
 
 void check_obj_content(std::string_view bytes, std::string_view file) {
   refuse_foreign(bytes, file);

@@ -11,6 +11,10 @@ namespace multimesh::io {
 /// \throw InputError naming the file, what it is and what to do.
 void check_obj_content(std::string_view bytes, std::string_view file);
 
+/// Refuses what is no mesh in any of our formats: an empty file, a web page, a Git LFS pointer, UTF-16 or
+/// UTF-32 text, XML, compressed files. \throw InputError naming the file, what it is and what to do.
+void refuse_foreign(std::string_view bytes, std::string_view file);
+
 /// The same for PLY: what does not begin with the line `ply` is refused, as precisely as we can name it.
 void check_ply_content(std::string_view bytes, std::string_view file);
 

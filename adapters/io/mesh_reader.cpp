@@ -1,27 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/io/mesh_reader.hpp"
 
+#include <array>
 #include <string>
 #include <system_error>
 
+#include "adapters/io/gunzip.hpp"
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/obj_reader.hpp"
+#include "adapters/io/off_reader.hpp"
 #include "adapters/io/ply_reader.hpp"
+#include "adapters/io/stl_reader.hpp"
 
 namespace multimesh::io {
+namespace {
+
+bool is_packed(const std::filesystem::path& path) {
+  std::array<char, 2> begin{};
+  return InputFile(path).read(begin.data(), 2) == 2 && is_gzip({begin.data(), 2});
+}
+
+}  // namespace
 
 PolygonSoup read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string extension = format_extension(path);
   std::error_code error;
-  const bool is_file = std::filesystem::is_regular_file(path, error);
   // What is no file is refused as such by any reader, whatever its extension.
-  if (extension == ".obj" || !is_file) return read_obj(path, options);
-  if (extension == ".ply") return read_ply(path, options);
-  fail_file(path.string(), extension.empty() ? "the file has no extension; .obj and .ply files are read"
-                                             : "files with extension " + extension +
-                                                   " are not read; convert the mesh to .obj or .ply");
+  if (!std::filesystem::is_regular_file(path, error)) return read_obj(path, options);
+  // Not through memory as the others: OBJ files are the large ones.
+  if (extension == ".obj" && !is_packed(path)) return read_obj(path, options);
+  if (extension == ".obj") return parse_obj(UnpackedBytes(path).view(), path, options);
+  if (extension == ".ply") return parse_ply(UnpackedBytes(path).view(), path, options);
+  if (extension == ".stl") return parse_stl(UnpackedBytes(path).view(), path, options);
+  if (extension == ".off") return parse_off(UnpackedBytes(path).view(), path, options);
+  fail_file(path.string(), (extension.empty() ? "the file has no extension"
+                                              : "files with extension " + extension + " are not read") +
+                               "; convert the mesh to .obj, .ply, .stl or .off");
 }
 
 }  // namespace multimesh::io

@@ -8,8 +8,11 @@
 
 namespace multimesh::io {
 
-/// Reads a surface in the format that the extension names, in any case: .obj or .ply.
-/// \throw InputError as read_obj and read_ply do, and for any other extension.
+/// Reads a surface in the format that the extension names, in any case: .obj, .ply, .stl or .off; each may be
+/// gzipped, with or without a further .gz.
+/// \throw InputError as read_obj, read_ply, parse_stl and parse_off do, for damaged gzip data, and for any
+/// other
+///   extension.
 PolygonSoup read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 }  // namespace multimesh::io

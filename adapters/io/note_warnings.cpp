@@ -11,7 +11,8 @@ void add_note_warnings(PolygonSoup& soup, const std::string& file) {
     soup.warnings.push_back(std::move(warning));
   };
   const SoupNotes& n = soup.notes;
-  warn(n.points + n.lines + n.curves, "", " point, line and curve statements are left out");
+  const std::size_t lines_left_out = n.lines - soup.line_count();
+  warn(n.points + lines_left_out + n.curves, "", " point, line and curve statements are left out");
   warn(n.third_texcoords, "the third number of ", " texture coordinates is left out");
   warn(n.weights, "the weight or alpha of ", " vertices is left out");
   warn(n.missing_colors, "vertices without a colour, white now: ", "");

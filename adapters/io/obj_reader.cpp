@@ -22,8 +22,11 @@ namespace {
 class ObjParser {
  public:
   /// Reads the first text, of a file of `size` bytes.
-  ObjParser(std::string_view text, std::size_t size, const std::filesystem::path& path)
-      : lines_(text, LineSource::Continuation::joined), directory_(path.parent_path()), file_(path.string()) {
+  ObjParser(std::string_view text, std::size_t size, const std::filesystem::path& path, bool keep_lines)
+      : lines_(text, LineSource::Continuation::joined),
+        directory_(path.parent_path()),
+        file_(path.string()),
+        keep_lines_(keep_lines) {
     reserve(size);
     statements();
   }
@@ -61,6 +64,7 @@ class ObjParser {
     if (word == "vt") return texcoord(cursor);
     if (word == "f" || word == "fo") return face(cursor);
     if (word == "vn") return normal(cursor);
+    if (word == "l") return polyline(cursor);
     grouping(word, trimmed(cursor.rest()));
   }
 
@@ -71,7 +75,6 @@ class ObjParser {
     if (word == "s") return set(section_.smoothing, rest == "off" || rest == "0" ? std::string_view{} : rest);
     if (word == "mtllib") return libraries(rest);
     if (word == "p") return void(++soup_.notes.points);
-    if (word == "l") return void(++soup_.notes.lines);
     if (is_free_form(word)) return void(++soup_.notes.curves);
     unknown(word);
   }
@@ -158,6 +161,30 @@ class ObjParser {
     soup_.face_section.push_back(current_section_);
   }
 
+  void polyline(TextCursor& cursor) {
+    ++soup_.notes.lines;
+    if (!keep_lines_) return;
+    while (!cursor.done()) soup_.line_corners.push_back(corner(cursor).v);
+    const std::size_t size = soup_.line_corners.size() - soup_.line_begin.back();
+    if (size < 2)
+      fail("the line has " + std::to_string(size) + " vertices; remove it or give it two or more");
+    if (soup_.line_corners.size() > std::numeric_limits<std::uint32_t>::max())
+      fail("more than 4294967295 vertices of lines; split the file");
+    soup_.line_begin.push_back(static_cast<std::uint32_t>(soup_.line_corners.size()));
+    polyline_line_.push_back(lines_.number());
+  }
+
+  /// Indices may point ahead.
+  void check_polylines() const {
+    for (std::size_t i = 0; i < soup_.line_count(); ++i)
+      for (std::uint32_t c = soup_.line_begin[i]; c < soup_.line_begin[i + 1]; ++c)
+        if (static_cast<std::size_t>(soup_.line_corners[c]) >= soup_.positions.size())
+          fail_at(file_, polyline_line_[i],
+                  "the line names vertex " + std::to_string(std::int64_t{soup_.line_corners[c]} + 1) +
+                      " but the file has " + std::to_string(soup_.positions.size()) +
+                      "; correct or remove the line");
+  }
+
   PolygonSoup::Corner corner(TextCursor& cursor) {
     const std::string_view text = cursor.rest();
     PolygonSoup::Corner c;
@@ -200,7 +227,8 @@ class ObjParser {
   }
 
   void check() {
-    if (soup_.face_count() == 0) fail_without_faces();
+    if (soup_.face_count() == 0 && soup_.line_count() == 0) fail_without_faces();
+    check_polylines();
     if (!soup_.colors.empty()) {
       soup_.colors.resize(soup_.positions.size(), {1, 1, 1});
       soup_.notes.missing_colors = soup_.positions.size() - colored_;
@@ -234,6 +262,8 @@ class ObjParser {
   LineSource lines_;
   std::filesystem::path directory_;
   std::string file_;
+  bool keep_lines_;
+  std::vector<std::size_t> polyline_line_;
   PolygonSoup::Section section_;
   std::map<PolygonSoup::Section, std::uint32_t> section_ids_;
   std::uint32_t current_section_ = 0;
@@ -255,17 +285,17 @@ std::string_view checked_beginning(std::string_view text, const std::string& fil
 PolygonSoup read_obj(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string file = path.string();
   TextPieces pieces(path);
-  ObjParser parser(checked_beginning(pieces.next(), file), pieces.size(), path);
+  ObjParser parser(checked_beginning(pieces.next(), file), pieces.size(), path, options.keep_lines);
   for (std::string_view piece; !(piece = pieces.next()).empty();) parser.go_on(piece);
   PolygonSoup soup = parser.finish();
-  check_faces(soup, file, 1, options);
+  if (soup.face_count() != 0) check_faces(soup, file, 1, options);
   return soup;
 }
 
 PolygonSoup parse_obj(std::string_view text, const std::filesystem::path& path, const ReadOptions& options) {
   const std::string file = path.string();
-  PolygonSoup soup = ObjParser(checked_beginning(text, file), text.size(), path).finish();
-  check_faces(soup, file, 1, options);
+  PolygonSoup soup = ObjParser(checked_beginning(text, file), text.size(), path, options.keep_lines).finish();
+  if (soup.face_count() != 0) check_faces(soup, file, 1, options);
   return soup;
 }
 

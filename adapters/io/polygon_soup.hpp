@@ -13,7 +13,7 @@ namespace multimesh::io {
 /// What a file held and the soup does not, or what looked wrong but was harmless. Numbers of occurrences.
 struct SoupNotes {
   std::size_t points = 0;             ///< `p` statements, left out
-  std::size_t lines = 0;              ///< `l` statements, left out
+  std::size_t lines = 0;              ///< `l` statements, left out unless ReadOptions::keep_lines
   std::size_t curves = 0;             ///< free-form curves and surfaces, and display attributes, left out
   std::size_t unknown = 0;            ///< statements, elements or properties that we do not know, left out
   std::size_t weights = 0;            ///< fourth coordinate of a position or alpha of a colour, left out
@@ -26,6 +26,7 @@ struct SoupNotes {
   std::size_t flat_faces = 0;         ///< faces without area, kept
   std::size_t repeated_faces = 0;     ///< faces with the vertices of an earlier one in any order, kept
   std::size_t nonfinite_normals = 0;  ///< normals with a nan or inf, set to 0 0 0
+  std::size_t merged_positions = 0;   ///< corners of STL facets that were joined with an equal one
   friend bool operator==(const SoupNotes&, const SoupNotes&) = default;
 };
 
@@ -61,11 +62,16 @@ struct PolygonSoup {
   std::vector<Section> sections;
   std::vector<std::uint32_t> face_section;  ///< #F indices into sections
 
+  std::vector<std::int32_t> line_corners;  ///< indices into positions of all polylines, one after the other
+  std::vector<std::uint32_t> line_begin = {0};  ///< #L+1 offsets into line_corners
+
   std::vector<std::string> material_libraries;  ///< as written in the file, each once
   SoupNotes notes;
   std::vector<std::string> warnings;  ///< one sentence each, naming file and line or element
 
   std::size_t face_count() const { return face_begin.size() - 1; }
+
+  std::size_t line_count() const { return line_begin.size() - 1; }
 
   /// \pre i < face_count(). Valid until corners changes.
   std::span<const Corner> face(std::size_t i) const {

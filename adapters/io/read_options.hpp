@@ -12,6 +12,9 @@ struct ReadOptions {
   /// Largest share of faces that have no area or repeat the vertices of an earlier face. They are kept; but
   /// where most faces are repeated every edge has three or more faces, and no surface is left to work on.
   double max_defective_share = 1.0 / 3.0;
+  /// Keep the `l` statements of OBJ files as polylines of the soup; a file with lines and no face is then
+  /// read, too. Otherwise they are counted and left out.
+  bool keep_lines = false;
 };
 
 }  // namespace multimesh::io

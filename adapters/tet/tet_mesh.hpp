@@ -156,7 +156,8 @@ class TetMesh final : public Mesh {
   enum Flag : std::uint8_t { in_boundary = 1, locked = 2, dead = 4 };
 
   enum class Word : std::uint8_t {
-    tet,
+    corner,
+    glue,
     vertex_tet,
     flags,
     anchor_own,
@@ -222,11 +223,12 @@ class TetMesh final : public Mesh {
   void log(Word word, std::uint32_t index, std::uint32_t old, LinkSet column = 0) {
     log_.push_back({word, column, index, old});
   }
-  Tet& change(Index t);
+  void set_corner(Index t, std::size_t i, Index v);
+  void set_glue(Index t, std::size_t f, std::uint32_t g);
   void set_vertex_tet(Index v, std::uint32_t d);
   void set_flags(Index v, std::uint8_t flags);
   void write(SimplexTable& table, const SimplexKey& key, Index number);
-  Index new_tet(Index like);
+  void new_tets(const std::vector<std::uint32_t>& like, std::vector<Index>& out);
   Index new_vertex();
   void kill_tet(Index t);
   void kill_vertex(Index v);

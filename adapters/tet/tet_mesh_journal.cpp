@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes with their old values, and undo. A tetrahedron is logged whole.
+// Writes with their old values, word by word, and undo.
 #include "adapters/tet/tet_mesh.hpp"
 
 namespace multimesh::tet {
 
-TetMesh::Tet& TetMesh::change(Index t) {
-  old_tets_.push_back(tets_[t]);
-  log(Word::tet, t, 0);
-  return tets_[t];
+void TetMesh::set_corner(Index t, std::size_t i, Index v) {
+  log(Word::corner, static_cast<std::uint32_t>(4 * t + i), tets_[t].v[i]);
+  tets_[t].v[i] = v;
+}
+
+void TetMesh::set_glue(Index t, std::size_t f, std::uint32_t g) {
+  log(Word::glue, static_cast<std::uint32_t>(4 * t + f), tets_[t].glue[f]);
+  tets_[t].glue[f] = g;
 }
 
 void TetMesh::set_vertex_tet(Index v, std::uint32_t d) {
@@ -46,22 +50,28 @@ void TetMesh::resize_tets(std::size_t n) {
     if (l.used && !l.table) l.facet_plus_one.resize(n, 0);
 }
 
-// A tetrahedron like another one, properties included.
-Index TetMesh::new_tet(Index like) {
-  Index t = static_cast<Index>(tets_.size());
-  if (!free_tets_.empty()) {
-    t = free_tets_.back();
+// Tetrahedra like others, properties included. What dead ones held must come back, too: it may be restored
+// further by what was written before.
+void TetMesh::new_tets(const std::vector<std::uint32_t>& like, std::vector<Index>& out) {
+  out.clear();
+  while (out.size() < like.size() && !free_tets_.empty()) {
+    const Index t = free_tets_.back();
     free_tets_.pop_back();
+    protect(3, t);  // freed in this transaction, it may come back
+    old_tets_.push_back(tets_[t]);
     log(Word::took_tet, t, 0);
-    change(t) = tets_[like];
-  } else {
-    if (t == most_tets) throw UsageError("a tetrahedral mesh has at most 2^27 tetrahedra");
-    log(Word::grew_tets, t, 0);
-    resize_tets(tets_.size() + 1);
-    tets_[t] = tets_[like];
+    out.push_back(t);
   }
-  for (const auto& p : tet_properties_) p->copy(like, t);
-  return t;
+  if (const std::size_t more = like.size() - out.size(); more > 0) {
+    const auto first = static_cast<Index>(tets_.size());
+    if (first + more > most_tets) throw UsageError("a tetrahedral mesh has at most 2^27 tetrahedra");
+    log(Word::grew_tets, first, 0);
+    resize_tets(first + more);
+    for (Index t = first; t < tets_.size(); ++t) out.push_back(t);
+  }
+  for (std::size_t i = 0; i < like.size(); ++i) tets_[out[i]] = tets_[like[i] >> 5];
+  for (const auto& p : tet_properties_)
+    for (std::size_t i = 0; i < like.size(); ++i) p->copy(like[i] >> 5, out[i]);
 }
 
 Index TetMesh::new_vertex() {
@@ -71,6 +81,7 @@ Index TetMesh::new_vertex() {
     free_vertices_.pop_back();
     log(Word::took_vertex, v, 0);
     set_flags(v, 0);
+    protect(0, v);  // as for tetrahedra
     for (const auto& p : vertex_properties_) p->reset(v);
   } else {
     log(Word::grew_vertices, v, 0);
@@ -80,7 +91,7 @@ Index TetMesh::new_vertex() {
 }
 
 void TetMesh::kill_tet(Index t) {
-  change(t).v[0] = no_index;
+  set_corner(t, 0, no_index);
   free_tets_.push_back(t);
   log(Word::freed_tet, t, 0);
 }
@@ -118,9 +129,11 @@ void TetMesh::rollback(Mark mark) {
 
 void TetMesh::undo(const Entry& e) {
   switch (e.word) {
-    case Word::tet:
-      tets_[e.index] = old_tets_.back();
-      old_tets_.pop_back();
+    case Word::corner:
+      tets_[e.index / 4].v[e.index % 4] = e.old;
+      break;
+    case Word::glue:
+      tets_[e.index / 4].glue[e.index % 4] = e.old;
       break;
     case Word::vertex_tet:
       vertex_tet_[e.index] = e.old;
@@ -150,6 +163,8 @@ void TetMesh::undo(const Entry& e) {
       tet_properties_[e.old]->restore(e.index);
       break;
     case Word::took_tet:
+      tets_[e.index] = old_tets_.back();
+      old_tets_.pop_back();
       free_tets_.push_back(e.index);
       break;
     case Word::grew_tets:

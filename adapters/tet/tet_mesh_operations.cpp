@@ -131,25 +131,20 @@ void TetMesh::split_edge(Dart e, SplitRecord& record) {
   record.facets.clear();
   record.words.clear();
   const std::size_t n = ring_.darts.size();
-  halves_.clear();
-  for (const std::uint32_t r : ring_.darts) {
-    change(r >> 5);
-    halves_.push_back(new_tet(r >> 5));
-  }
+  new_tets(ring_.darts, halves_);
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t r = ring_.darts[i];
     const std::size_t la = local(r, 0), lb = local(r, 1);
     const Index old = r >> 5, half = halves_[i];
-    Tet& at_a = tets_[old];
-    Tet& at_b = tets_[half];
+    Tet& at_b = tets_[half];  // new: nothing in it has to be journaled
     if (const std::uint32_t beyond = at_b.glue[la]; beyond != no_glue) {
       const std::uint8_t q = beyond & 31U;
-      const std::size_t face = static_cast<std::size_t>(Permutation{q}[static_cast<int>(la)]);
-      change(beyond >> 5).glue[face] = half << 5 | inverse_code[q];
+      const auto face = static_cast<std::size_t>(Permutation{q}[static_cast<int>(la)]);
+      set_glue(beyond >> 5, face, half << 5 | inverse_code[q]);
     }
-    at_a.v[lb] = c;
+    set_corner(old, lb, c);
+    set_glue(old, la, half << 5 | exchange[la][lb]);
     at_b.v[la] = c;
-    at_a.glue[la] = half << 5 | exchange[la][lb];
     at_b.glue[lb] = old << 5 | exchange[la][lb];
     // Around the edge: position 3 leads back to the previous one, position 2 to the next.
     for (const int position : {2, 3}) {
@@ -222,7 +217,7 @@ void TetMesh::collapse_edge(Dart e, CollapseRecord& record) {
   for (const std::uint32_t r : ring_.darts) join_neighbours(r, record);
   for (const std::uint32_t r : ring_.darts) kill_tet(r >> 5);
   for (const std::uint32_t t : star_)
-    if (tets_[t >> 5].v[0] != no_index) change(t >> 5).v[local(t, 0)] = b;
+    if (tets_[t >> 5].v[0] != no_index) set_corner(t >> 5, local(t, 0), b);
 
   // Vertices that were known by a dying tetrahedron are now known by the one that took its place.
   const auto in_dead = [&](Index v) { return tets_[vertex_tet_[v] >> 5].v[0] == no_index; };
@@ -257,16 +252,15 @@ void TetMesh::join_neighbours(std::uint32_t r, CollapseRecord& record) {
     return static_cast<std::size_t>(
         Permutation{static_cast<std::uint8_t>(g & 31U)}[static_cast<int>(corner)]);
   };
-  if (with_b != no_glue)
-    change(with_b >> 5).glue[face(with_b, la)] =
-        with_a == no_glue
-            ? no_glue
-            : (with_a & ~31U) | product[composed(with_a, exchange[la][lb])][inverse_code[with_b & 31U]];
-  if (with_a != no_glue)
-    change(with_a >> 5).glue[face(with_a, lb)] =
-        with_b == no_glue
-            ? no_glue
-            : (with_b & ~31U) | product[composed(with_b, exchange[la][lb])][inverse_code[with_a & 31U]];
+  const auto glue = [&](std::uint32_t one, std::size_t one_face, std::uint32_t other) {
+    if (one == no_glue) return;
+    set_glue(one >> 5, face(one, one_face),
+             other == no_glue
+                 ? no_glue
+                 : (other & ~31U) | product[composed(other, exchange[la][lb])][inverse_code[one & 31U]]);
+  };
+  glue(with_b, la, with_a);
+  glue(with_a, lb, with_b);
   const std::uint32_t heir =
       with_b != no_glue ? with_b : (with_a & ~31U) | composed(with_a, exchange[la][lb]);
   record.words.insert(record.words.end(), {t, static_cast<std::uint32_t>(la << 2 | lb), heir});

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "adapters/io/read_options.hpp"
+#include "adapters/io/simplex_soup.hpp"
+
+namespace multimesh::io {
+
+/// Parses a MEDIT file (`MeshVersionFormatted`; text). References of elements are their tags, those of
+/// vertices the soup's point_tags. Corners and RequiredVertices become tagged vertices with flags; Ridges,
+/// RequiredEdges, RequiredTriangles and RequiredTetrahedra flags. Points of a two-dimensional mesh get z = 0.
+/// Sections of other names (Normals, Tangents, …) are left out. `path` is what messages name.
+/// \throw InputError `FILE:LINE: what; what to do`, also for volume elements other than tetrahedra.
+SimplexSoup parse_medit(std::string_view bytes, const std::filesystem::path& path,
+                        const ReadOptions& options = {});
+
+}  // namespace multimesh::io

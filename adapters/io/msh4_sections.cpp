@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sections of Gmsh's format 4.1.
+#include <array>
+#include <cstdlib>
+#include <vector>
+
+#include "adapters/io/msh_content.hpp"
+
+namespace multimesh::io {
+namespace {
+
+int entity_dimension(MshSource& in) {
+  const std::int32_t dimension = in.integer("the dimension of an entity");
+  if (dimension < 0 || dimension > 3)
+    in.fail("the dimension of an entity is " + std::to_string(dimension) + "; it must be 0 to 3");
+  return dimension;
+}
+
+/// Its sign says which way round the entity is in the group, and is no part of the tag.
+std::int32_t physical_tag(std::int32_t signed_tag) {
+  return signed_tag < -2147483647 ? signed_tag : std::abs(signed_tag);
+}
+
+void read_entity(MshContent& content, int dimension) {
+  MshSource& in = content.in;
+  const std::int32_t tag = in.integer("the tag of an entity");
+  const int box = dimension == 0 ? 3 : 6;
+  for (int i = 0; i < box; ++i) in.real("the bounding box of an entity");
+  const std::size_t physicals = in.count("physical tags", 1);
+  for (std::size_t i = 0; i < physicals; ++i) {
+    const std::int32_t physical = physical_tag(in.integer("a physical tag"));
+    if (i == 0) content.physical_of_entity[{dimension, tag}] = physical;
+  }
+  if (physicals > 1) ++content.out.notes().several_tags;
+  if (dimension == 0) return;
+  for (std::size_t n = in.count("bounding entities", 1); n > 0; --n) in.integer("a bounding entity");
+}
+
+void read_node_block(MshContent& content, std::vector<std::uint64_t>& numbers) {
+  MshSource& in = content.in;
+  const int dimension = entity_dimension(in);
+  in.integer("the tag of an entity");
+  const bool parametric = in.integer("whether nodes are parametric") != 0;
+  const std::size_t count = in.count("nodes", 4);
+  numbers.clear();
+  for (std::size_t i = 0; i < count; ++i) numbers.push_back(in.size("the number of a node"));
+  for (const std::uint64_t number : numbers) {
+    std::array<double, 3> point{};
+    for (double& x : point) x = in.real("a coordinate");
+    for (int i = 0; parametric && i < dimension; ++i) in.real("a parametric coordinate");
+    content.add_point(number, point);
+  }
+}
+
+void read_element_block(MshContent& content, std::vector<std::uint32_t>& nodes) {
+  MshSource& in = content.in;
+  const int dimension = entity_dimension(in);
+  const std::int32_t entity = in.integer("the tag of an entity");
+  const std::int32_t type_number = in.integer("the type of elements");
+  const CellType& type = content.element_type(type_number, in.where(0));
+  const std::size_t count = in.count("elements", 1 + std::size_t{type.nodes});
+  const auto found = content.physical_of_entity.find({dimension, entity});
+  const std::int32_t physical = found == content.physical_of_entity.end() ? 0 : found->second;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t where = in.where(in.size("the number of an element"));
+    nodes.clear();
+    for (int n = 0; n < type.nodes; ++n)
+      nodes.push_back(content.point(in.size("the number of a node"), where));
+    content.add_element(type, nodes, physical, entity, where);
+  }
+}
+
+/// The numbers at the beginning of $Nodes and $Elements. \return of blocks
+std::size_t block_count(MshSource& in, std::string_view what) {
+  in.begin_data();
+  const std::size_t blocks = in.count("entity blocks", 4);
+  in.count(what, 1);
+  in.size("the least number");
+  in.size("the largest number");
+  return blocks;
+}
+
+}  // namespace
+
+void read_msh4_entities(MshContent& content) {
+  MshSource& in = content.in;
+  in.begin_data();
+  std::array<std::size_t, 4> counts{};
+  for (std::size_t& count : counts) count = in.count("entities", 4);
+  for (int dimension = 0; dimension < 4; ++dimension)
+    for (std::size_t n = counts[static_cast<std::size_t>(dimension)]; n > 0; --n)
+      read_entity(content, dimension);
+}
+
+void read_msh4_nodes(MshContent& content) {
+  std::vector<std::uint64_t> numbers;
+  for (std::size_t n = block_count(content.in, "nodes"); n > 0; --n) read_node_block(content, numbers);
+}
+
+void read_msh4_elements(MshContent& content) {
+  std::vector<std::uint32_t> nodes;
+  for (std::size_t n = block_count(content.in, "elements"); n > 0; --n) read_element_block(content, nodes);
+}
+
+void read_msh4_periodic(MshContent& content) {
+  MshSource& in = content.in;
+  in.begin_data();
+  for (std::size_t n = in.count("periodic links", 5); n > 0; --n) {
+    SimplexSoup::Periodic link;
+    link.dimension = entity_dimension(in);
+    link.slave = in.integer("the tag of a periodic entity");
+    link.master = in.integer("the tag of a master entity");
+    for (std::size_t i = in.count("numbers of an affine map", 1); i > 0; --i)
+      link.affine.push_back(in.real("an affine map"));
+    const std::size_t pairs = in.count("periodic nodes", 2);
+    for (std::size_t i = 0; i < pairs; ++i) {
+      std::array<std::uint32_t, 2> pair{};
+      for (std::uint32_t& point : pair) {
+        const std::uint64_t number = in.size("a periodic node");
+        point = content.point(number, in.where(number));
+      }
+      link.points.push_back(pair);
+    }
+    content.out.soup().periodic.push_back(std::move(link));
+  }
+}
+
+}  // namespace multimesh::io

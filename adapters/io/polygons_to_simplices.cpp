@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/io/polygons_to_simplices.hpp"
+
+#include "adapters/io/simplex_builder.hpp"
+#include "adapters/io/triangulate.hpp"
+
+namespace multimesh::io {
+
+SimplexSoup to_simplices(PolygonSoup polygons, const std::filesystem::path& path,
+                         const ReadOptions& options) {
+  SimplexBuilder builder(path.string(), SimplexBuilder::Where::element, 0);
+  const TriangleSoup cut = triangulate(polygons);
+  builder.reserve(2, cut.triangles.size());
+  for (std::size_t t = 0; t < cut.triangles.size(); ++t) {
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = static_cast<std::uint32_t>(cut.triangles[t][i].v);
+    builder.add(2, corners, 0, cut.polygon[t]);
+    // The triangles of one polygon follow one another; its first one counts.
+    const bool is_first = t == 0 || cut.polygon[t] != cut.polygon[t - 1];
+    if (is_first && polygons.face(cut.polygon[t]).size() > 3) ++builder.notes().cut_polygons;
+  }
+  for (std::size_t l = 0; l < polygons.line_count(); ++l)
+    for (std::uint32_t i = polygons.line_begin[l]; i + 1 < polygons.line_begin[l + 1]; ++i)
+      builder.add(1,
+                  std::array{static_cast<std::uint32_t>(polygons.line_corners[i]),
+                             static_cast<std::uint32_t>(polygons.line_corners[i + 1])},
+                  0, l);
+  builder.notes().merged_points = polygons.notes.merged_positions;
+  SimplexSoup& soup = builder.soup();
+  soup.points = std::move(polygons.positions);
+  soup.warnings = std::move(polygons.warnings);
+  return builder.finish(options);
+}
+
+PolygonSoup to_polygons(const SimplexSoup& soup) {
+  PolygonSoup polygons;
+  polygons.positions = soup.points;
+  for (const std::uint32_t v : soup.simplices[2].corners) {
+    polygons.corners.push_back({static_cast<std::int32_t>(v), -1, -1});
+    if (polygons.corners.size() % 3 == 0)
+      polygons.face_begin.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
+  }
+  for (const std::uint32_t v : soup.simplices[1].corners) {
+    polygons.line_corners.push_back(static_cast<std::int32_t>(v));
+    if (polygons.line_corners.size() % 2 == 0)
+      polygons.line_begin.push_back(static_cast<std::uint32_t>(polygons.line_corners.size()));
+  }
+  polygons.face_line.assign(polygons.face_count(), 0);
+  polygons.sections.emplace_back();
+  polygons.face_section.assign(polygons.face_count(), 0);
+  return polygons;
+}
+
+}  // namespace multimesh::io

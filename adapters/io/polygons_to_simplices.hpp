@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+#include "adapters/io/polygon_soup.hpp"
+#include "adapters/io/read_options.hpp"
+#include "adapters/io/simplex_soup.hpp"
+
+namespace multimesh::io {
+
+/// The positions, the polygons cut into triangles (see triangulate), and the polylines as edges; all tags 0.
+/// Texture coordinates, normals and colours are left out. Warnings go over. `path` is what messages name.
+/// \throw InputError as SimplexBuilder::finish
+SimplexSoup to_simplices(PolygonSoup polygons, const std::filesystem::path& path,
+                         const ReadOptions& options = {});
+
+/// The triangles and edges of a soup as faces and polylines of two vertices.
+/// \pre indices fit into 31 bits
+PolygonSoup to_polygons(const SimplexSoup& soup);
+
+}  // namespace multimesh::io

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "adapters/io/read_options.hpp"
+#include "adapters/io/simplex_soup.hpp"
+
+namespace multimesh::io {
+
+/// Takes what a reader finds, in any order, and makes a checked soup of it. `where` is the line in a text
+/// file, and the number of the element or point in others; errors and warnings name it.
+class SimplexBuilder {
+ public:
+  enum class Where { line, element };
+
+  /// Messages name points as the file counts them, from `first_index`.
+  SimplexBuilder(std::string file, Where where, int first_index)
+      : file_(std::move(file)), where_(where), first_index_(first_index) {}
+
+  /// \throw InputError when a coordinate is nan or inf.
+  void add_point(const std::array<double, 3>& point, std::uint64_t where);
+  /// Room for as many more points. \pre checked against the size of the file
+  void reserve_points(std::size_t more) { soup_.points.reserve(soup_.points.size() + more); }
+  void reserve(int dimension, std::size_t more);
+
+  /// The index of the point that the file calls `number`; whether it is there is asked in finish().
+  /// \throw InputError when no file can have that point.
+  std::uint32_t point_index(std::int64_t number, std::uint64_t where) const;
+
+  /// \pre corners.size() == dimension + 1
+  void add(int dimension, std::span<const std::uint32_t> corners, std::int32_t tag, std::uint64_t where,
+           std::uint8_t flags = 0);
+  /// Of three corners or more; finish() cuts it into triangles.
+  void add_polygon(std::span<const std::uint32_t> corners, std::int32_t tag, std::uint64_t where);
+  /// Sets flags of the simplex that the file calls `number`, of those that are added so far.
+  void add_flag(int dimension, std::int64_t number, SimplexFlag flag, std::uint64_t where);
+
+  /// A thing that is not kept, by its name; one warning lists them.
+  void left_out(std::string_view name, std::size_t count = 1);
+  void warn(const std::string& message) { soup_.warnings.push_back(file_ + ": " + message); }
+  SimplexNotes& notes() { return soup_.notes; }
+  /// For tags, groups and periodic links, which are the reader's own affair.
+  SimplexSoup& soup() { return soup_; }
+  /// Of the polygons that were added and are not triangles, in their order.
+  std::vector<std::int32_t>& polygon_tags() { return polygon_tags_; }
+
+  /// Checks every index, cuts polygons into triangles, and removes simplices that name a vertex twice.
+  /// \throw InputError for a point that is not there, more repeated vertices than `options` allows, and when
+  ///   there is no simplex at all.
+  SimplexSoup finish(const ReadOptions& options);
+
+  [[noreturn]] void fail(std::uint64_t where, const std::string& message) const;
+
+ private:
+  std::string place(std::uint64_t where, std::string_view what = "element") const;
+  void check_indices(std::span<const std::uint32_t> corners, std::size_t each,
+                     std::span<const std::uint64_t> where) const;
+  void cut_polygons();
+  void remove_repeated(int dimension, const ReadOptions& options);
+  void count_unused();
+  void add_warnings();
+
+  SimplexSoup soup_;
+  std::string file_;
+  Where where_;
+  int first_index_;
+  std::array<std::vector<std::uint64_t>, 4> simplex_where_;
+  std::vector<std::uint32_t> polygon_corners_;
+  std::vector<std::size_t> polygon_begin_ = {0};
+  std::vector<std::int32_t> polygon_tags_;
+  std::vector<std::uint64_t> polygon_where_;
+  std::map<std::string, std::size_t, std::less<>> left_out_;
+};
+
+}  // namespace multimesh::io

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "adapters/io/read_options.hpp"
+#include "adapters/io/simplex_soup.hpp"
+
+namespace multimesh::io {
+
+/// Parses an unstructured grid in VTK's legacy format (.vtk), text or binary, with cells as before version 5
+/// or since. The tag is chosen as parse_vtu does, among scalars and fields of cells. `path` is what messages
+/// name. \throw InputError naming the file and line, byte or cell, also for volumes other than tetrahedra.
+SimplexSoup parse_vtk(std::string_view bytes, const std::filesystem::path& path,
+                      const ReadOptions& options = {});
+
+}  // namespace multimesh::io

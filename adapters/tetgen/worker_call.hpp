@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "adapters/tetgen/tetrahedra.hpp"
+
+namespace multimesh::tetgen {
+
+struct WorkerOptions {
+  std::filesystem::path program;
+  std::chrono::steady_clock::time_point deadline;
+  std::uint64_t memory_limit = 0;  ///< bytes; 0: none
+};
+
+/// What TetGen made of a surface, not looked at yet.
+struct RawTetrahedra {
+  std::vector<Point> points;
+  std::vector<std::array<Index, 4>> tets;
+  struct Face {
+    std::array<Index, 3> corners;
+    Index triangle;
+  };
+  std::vector<Face> faces;  ///< on the surface, in no order or orientation
+};
+
+/// Has a worker tetrahedralize a surface with these switches of TetGen. \throw WorkerError
+RawTetrahedra call_worker(std::span<const Point> points, std::span<const Index> corners,
+                          const std::string& switches, const WorkerOptions& options);
+
+/// Has a worker look for triangles that intersect others, and returns the first pairs. \throw WorkerError
+std::vector<std::array<Index, 2>> find_intersections(std::span<const Point> points,
+                                                     std::span<const Index> corners,
+                                                     const WorkerOptions& options);
+
+}  // namespace multimesh::tetgen
