@@ -77,16 +77,18 @@ std::size_t count_bad(const Improver& improver) {
   return n;
 }
 
-/// A plain pass, then daring ones while they help.
+/// A plain pass, then ones with trials of 1, 2, 4 .. splits, until not even the longest ones help.
 int run(Improver& improver, const ImproveOptions& options) {
-  int pass = 0;
+  constexpr int most_trial_splits = 16;
+  int pass = 0, trial_splits = 0;
   while (pass < options.max_passes) {
     const std::size_t resized = options.edge_length > 0 ? improver.resize() : 0;
     if (count_bad(improver) == 0 && resized == 0) break;
     ++pass;
-    const std::size_t done = improver.pass(pass > 1);
+    const std::size_t done = improver.pass(trial_splits);
     if (options.progress) options.progress(pass, count_bad(improver));
-    if (done + resized == 0 && pass > 1) break;
+    if (done + resized == 0 && trial_splits == most_trial_splits) break;
+    trial_splits = std::clamp(2 * trial_splits, 1, most_trial_splits);
   }
   return pass;
 }
@@ -102,14 +104,15 @@ ImproveResult improve(TetDomain& domain, const ImproveOptions& options) {
   check_input(improver.work());
   ImproveResult result;
   result.before = measure(improver.work(), options.target_amips);
+  const Obstacles forced(improver.work(), options.surface_splits);
+  result.least_max_amips = forced.bound();
+  result.least_max_amips_at = {forced.place()[0], forced.place()[1], forced.place()[2]};
   result.passes = run(improver, options);
   result.after = measure(improver.work(), options.target_amips);
   result.target_reached = result.after.above_target == 0;
   result.operations = named(improver.counts());
-  const Obstacles obstacles(improver.work(), options.surface_splits);
-  result.least_max_amips = obstacles.bound();
-  result.least_max_amips_at = {obstacles.place()[0], obstacles.place()[1], obstacles.place()[2]};
-  if (!result.target_reached) result.obstacles = obstacles.explain(improver.limit());
+  if (!result.target_reached)
+    result.obstacles = Obstacles(improver.work(), options.surface_splits).explain(improver.limit());
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -82,7 +82,7 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   // (a,b,x,..): the dart at the apex; of the last one of an open ring, the far side of the last tetrahedron.
   const Dart d = apex == ring_.size() ? work_.mesh().reorder(ring_.darts.back(), transposition(2))
                                       : ring_.darts[apex];
-  best = {Kind::edge_swap, d, before, limit, {}, 0, !ring_.closed};
+  best = {Kind::edge_swap, d, before, limit, Vec3::Zero(), 0, !ring_.closed};
 }
 
 bool Candidates::lengths_allow(Index a, Index b, const Demand& demand) const {
@@ -148,7 +148,7 @@ void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
         if (c[i] != b && (point(c[i]) - point(b)).norm() > demand.longest)
           return refuse(Kind::collapse, Why::length);
   if (!is_free && !(place_.read(e) && place_.allows_merging(b))) return refuse(Kind::collapse, Why::held);
-  best = {Kind::collapse, e, before, after, {}, 0, false};
+  best = {Kind::collapse, e, before, after, Vec3::Zero(), 0, false};
 }
 
 // --- faces ---------------------------------------------------------------------------------------------
@@ -175,7 +175,7 @@ void Candidates::face_swap(Dart f, const Demand& demand, Candidate& best) {
     after = std::max(after, work_.quality_of(Corners{p, q, v, w}));
     if (after >= limit) return refuse_worse(Kind::face_swap, after);
   }
-  best = {Kind::face_swap, f, before, after, {}, 0, false};
+  best = {Kind::face_swap, f, before, after, Vec3::Zero(), 0, false};
 }
 
 // --- vertices ------------------------------------------------------------------------------------------

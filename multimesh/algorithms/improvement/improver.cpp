@@ -2,6 +2,7 @@
 #include "multimesh/algorithms/improvement/improver.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace multimesh::improvement {
 
@@ -9,8 +10,10 @@ namespace {
 
 constexpr int edges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 // Of a trial: how many operations may follow a split, and what it must gain.
-constexpr int longest_trial = 24;
+constexpr int longest_trial = 48;
 constexpr double trial_gain = 0.9;
+// Within this factor of what the surface forces, a tetrahedron is as good as it gets.
+constexpr double near_bound = 1.1;
 
 }  // namespace
 
@@ -53,6 +56,7 @@ bool Improver::take(const Candidate& c) {
   }
   ++count.done;
   ++done_;
+  if (trying_ && c.kind == Kind::split) fresh_.push_back(work_.mesh().vertex(at));
   changed(at);
   return true;
 }
@@ -75,9 +79,11 @@ bool Improver::swap_or_collapse(Index t, const Demand& demand) {
   for (const auto& [i, j] : edges) candidates_.edge_swap(Workspace::edge(t, i, j), demand, best);
   for (const Permutation p : {Permutation{}, permutation(0, 1, 3, 2), permutation(0, 2, 3, 1), permutation(1, 2, 3, 0)})
     candidates_.face_swap(tet::TetMesh::dart(t, p), demand, best);
-  for (const auto& [i, j] : edges) {
-    candidates_.collapse(Workspace::edge(t, i, j), demand, best);
-    candidates_.collapse(Workspace::edge(t, j, i), demand, best);
+  const Corners c = work_.corners(t);
+  for (int i = 0; i < 4; ++i) {
+    if (std::find(fresh_.begin(), fresh_.end(), c[static_cast<std::size_t>(i)]) != fresh_.end()) continue;
+    for (int j = 0; j < 4; ++j)
+      if (i != j) candidates_.collapse(Workspace::edge(t, i, j), demand, best);
   }
   return take(best);
 }
@@ -98,52 +104,119 @@ bool Improver::improve_tet(Index t) {
   return swap_or_collapse(t, demand_) || smooth(t, demand_) || split(t, demand_);
 }
 
-// Splits that make the worst tetrahedron worse at first.
-bool Improver::dare(Index t) {
+// --- trials --------------------------------------------------------------------------------------------
+
+// Runs `start`, which splits some edges, and improves what came of it. All is undone unless all of that is
+// better than `before` in the end.
+template <class Start>
+bool Improver::attempt(double before, const Start& start) {
+  Transaction trial = work_.operations().transaction();
+  const Counts counts = counts_;
+  const std::size_t done = done_;
+  trying_ = true;
+  touched_.clear();
+  fresh_.clear();
+  const bool better = start() && improve_touched(trial_gain * before);
+  trying_ = false;
+  fresh_.clear();
+  if (!better) {
+    done_ = done;
+    for (std::size_t i = 0; i < n_kinds; ++i) counts_[i].done = counts[i].done;
+    return false;
+  }
+  trial.commit();
+  for (const Index s : touched_)
+    if (work_.is_live(s))
+      if (const double q = work_.quality_of(s); q > limit_) queue_.push(s, -q);
+  return true;
+}
+
+bool Improver::is_forced(Index t, const Obstacles& obstacles) const {
+  double bound = 0;
+  for (const Index v : work_.corners(t)) bound = std::max(bound, near_bound * obstacles.bound_at(v));
+  return work_.quality_of(t) <= bound * bound * bound;
+}
+
+bool Improver::try_splits(Index t) {
   const double before = work_.quality_of(t);
   Demand daring = demand_;
   daring.enough = flat;
   for (const auto& [i, j] : edges) {
-    Candidate start;
-    candidates_.split(Workspace::edge(t, i, j), daring, start);
-    if (!start) continue;
-    Transaction trial = work_.operations().transaction();
-    trying_ = true;
-    touched_.clear();
-    const Counts counts = counts_;
-    const std::size_t done = done_;
-    const bool better = take(start) && improve_touched(trial_gain * before);
-    trying_ = false;
-    if (!better) {  // undone
-      done_ = done;
-      for (std::size_t i = 0; i < n_kinds; ++i) counts_[i].done = counts[i].done;
-      continue;
-    }
-    trial.commit();
-    for (const Index s : touched_)
-      if (work_.is_live(s))
-        if (const double q = work_.quality_of(s); q > limit_) queue_.push(s, -q);
-    return true;
+    Candidate split;
+    candidates_.split(Workspace::edge(t, i, j), daring, split);
+    if (split && attempt(before, [&] { return take(split); })) return true;
   }
   return false;
+}
+
+// Bisects longest edges (Rivara 1984), each time near the worst tetrahedron: where the domain is thin, or the
+// mesh coarse beside something small, one split alone does not help.
+bool Improver::try_refinement(Index t, int splits) {
+  Demand daring = demand_;
+  daring.enough = flat;
+  const double before = work_.quality_of(t);
+  return attempt(before, [&] {
+    touched_.push_back(t);
+    Index worst = t;
+    for (int i = 0; i < splits; ++i) {
+      Candidate split;
+      candidates_.split(longest_edge_near(worst), daring, split);
+      if (!take(split)) return i > 0;
+      double quality;
+      worst = worst_touched(quality);
+      if (!(quality > limit_)) break;
+    }
+    return true;
+  });
+}
+
+// The longest edge of t, or, if another one of the tetrahedra around it is longer, that, and so on.
+Dart Improver::longest_edge_near(Index t) const {
+  double longest = 0;
+  Dart e = no_dart;
+  const auto look_at = [&](Index s) {
+    const Corners c = work_.corners(s);
+    bool longer = false;
+    for (const auto& [i, j] : edges) {
+      const double length =
+          (work_.point(c[static_cast<std::size_t>(i)]) - work_.point(c[static_cast<std::size_t>(j)])).norm();
+      if (length > longest) longest = length, e = Workspace::edge(s, i, j), longer = true;
+    }
+    return longer;
+  };
+  look_at(t);
+  for (bool longer = true; longer;) {
+    longer = false;
+    work_.read_ring(e, ring_);
+    for (const Dart d : ring_.darts) longer = look_at(tet::TetMesh::tet(d)) || longer;
+  }
+  return e;
+}
+
+Index Improver::worst_touched(double& quality) const {
+  Index worst = no_index;
+  quality = 0;
+  for (const Index t : touched_)
+    if (work_.is_live(t))
+      if (const double q = work_.quality_of(t); q > quality) quality = q, worst = t;
+  return worst;
 }
 
 // Improves the worst of the touched tetrahedra until all are better than this.
 bool Improver::improve_touched(double limit) {
   for (int i = 0; i < longest_trial; ++i) {
-    Index worst = no_index;
-    double quality = 0;
-    for (const Index t : touched_)
-      if (work_.is_live(t))
-        if (const double q = work_.quality_of(t); q > quality) quality = q, worst = t;
+    double quality;
+    const Index worst = worst_touched(quality);
     if (quality < limit) return true;
-    if (!swap_or_collapse(worst, demand_) && !smooth(worst, demand_)) return false;
+    if (!improve_tet(worst)) return false;
   }
   return false;
 }
 
-std::size_t Improver::pass(bool daring) {
+std::size_t Improver::pass(int trial_splits) {
   const std::size_t done = done_;
+  std::optional<Obstacles> obstacles;
+  if (trial_splits > 0) obstacles.emplace(work_, options_.surface_splits);
   for (Index t = 0; t < work_.mesh().capacity(3); ++t)
     if (work_.is_live(t))
       if (const double q = work_.quality_of(t); q > limit_) queue_.push(t, -q);
@@ -151,7 +224,12 @@ std::size_t Improver::pass(bool daring) {
   while (queue_.pop(next)) {
     const Index t = next.edge;
     if (!work_.is_live(t) || work_.held().is_locked_tet(t) || !(work_.quality_of(t) > limit_)) continue;
-    if (!improve_tet(t) && daring) dare(t);
+    if (improve_tet(t) || trial_splits == 0 || is_forced(t, *obstacles)) continue;
+    if (trial_splits == 1) {
+      try_splits(t);
+    } else {
+      try_refinement(t, trial_splits);
+    }
   }
   return done_ - done;
 }

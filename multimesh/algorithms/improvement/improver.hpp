@@ -3,6 +3,7 @@
 
 #include "multimesh/algorithms/improve.hpp"
 #include "multimesh/algorithms/improvement/candidates.hpp"
+#include "multimesh/algorithms/improvement/obstacles.hpp"
 #include "multimesh/edge_queue.hpp"
 
 namespace multimesh::improvement {
@@ -12,10 +13,10 @@ class Improver {
  public:
   Improver(TetDomain& domain, const ImproveOptions& options);
 
-  /// One pass over all tetrahedra above the target, worst first. In a daring one, a split that makes things
-  /// worse is kept if what follows at once makes them better than before.
+  /// One pass over all tetrahedra above the target, worst first. Where nothing helps at once, that many splits
+  /// are tried that make things worse at first, and kept if what follows makes them better than before.
   /// \return how many operations were done
-  std::size_t pass(bool daring);
+  std::size_t pass(int trial_splits);
   /// Splits edges that are too long, and collapses short ones. \return how many
   std::size_t resize();
 
@@ -26,7 +27,13 @@ class Improver {
 
  private:
   bool improve_tet(Index t);
-  bool dare(Index t);
+  bool is_forced(Index t, const Obstacles& obstacles) const;
+  bool try_splits(Index t);
+  bool try_refinement(Index t, int splits);
+  template <class Start>
+  bool attempt(double before, const Start& start);
+  Dart longest_edge_near(Index t) const;
+  Index worst_touched(double& quality) const;
   bool swap_or_collapse(Index t, const Demand& demand);
   bool smooth(Index t, const Demand& demand);
   bool split(Index t, const Demand& demand);
@@ -47,8 +54,10 @@ class Improver {
   Demand demand_;
   EdgeQueue queue_;  ///< of tetrahedra; cost: minus the quality
   std::size_t done_ = 0;
-  bool trying_ = false;         ///< in a trial: changes go to touched_
+  bool trying_ = false;  ///< in a trial: changes go to touched_
   std::vector<Index> touched_, star_;
+  std::vector<Index> fresh_;  ///< vertices made by the trial, which may not be collapsed at once
+  mutable Ring ring_;
 };
 
 }  // namespace multimesh::improvement

@@ -18,6 +18,8 @@ class Obstacles {
   /// The greatest lower bound of the AMIPS energy, and a point of what forces it.
   double bound() const { return bound_; }
   const Vec3& place() const { return place_; }
+  /// The bound of what is forced at a vertex; 3 if nothing is, or if it is a new one.
+  double bound_at(Index v) const { return v < forced_.size() ? forced_[v].bound : 3; }
 
   /// The live tetrahedra above the limit (cubed), grouped by the first reason that holds for them.
   std::vector<ImproveObstacle> explain(double limit) const;
