@@ -12,11 +12,12 @@
 
 namespace multimesh {
 
-/// How edges of the surface and of curves may be split.
+/// How edges of the surface and of curves may be split, at their middle, rounded to doubles.
 enum class SurfaceSplits {
   none,
-  exact,    ///< only where their middle, rounded to doubles, is on them exactly
-  rounded,  ///< at their middle, rounded: the surface is displaced by at most half an ulp of each coordinate
+  exact,    ///< only where surface and curves stay the same sets of points, exactly
+  rounded,  ///< also where the rounding displaces them, by at most half an ulp of each coordinate, unless a
+            ///< face beside the edge is exactly coplanar with its neighbour
 };
 
 struct ImproveOptions {
@@ -58,8 +59,8 @@ struct OperationCount {
 struct ImproveObstacle {
   std::string reason;
   std::size_t tets = 0;
-  double max_amips = 0;            ///< of these tetrahedra
-  double least_max_amips = 3;      ///< of any mesh of this domain; 3 if nothing is known
+  double max_amips = 0;             ///< of these tetrahedra
+  double least_max_amips = 3;       ///< of any mesh of this domain; 3 if nothing is known
   std::array<double, 3> example{};  ///< the centre of the worst of them
 };
 
@@ -73,18 +74,19 @@ struct ImproveResult {
   /// corner of the surface, or an angle between its faces, forbids it. 3 if nothing is known.
   double least_max_amips = 3;
   std::array<double, 3> least_max_amips_at{};  ///< the point that forbids it
-  double seconds = 0;  ///< by the wall clock
+  double seconds = 0;                          ///< by the wall clock
 };
 
-/// Improves the tetrahedra of a domain, worst first, by swaps of edges and faces, collapses, moves of vertices
-/// and splits, until all have an AMIPS energy of at most the target. An operation is done only if the worst of
-/// the tetrahedra it replaces gets better. Topology of all meshes is kept. Surface and curves stay what they
-/// are as sets of points, exactly but for rounded splits: their vertices move only where they lie in exactly
-/// flat, or straight, surroundings; locked vertices never do. Volumes of regions are thus kept, too. All
-/// tetrahedra stay of positive orientation, exactly. Deterministic. Cost: some microseconds per candidate.
-/// \throw InputError naming a tetrahedron that is inverted or flat, and for options out of range; nothing was
-/// changed then. Source: the loop, Klingner and Shewchuk, Aggressive tetrahedral mesh improvement (2007); the
-/// energy, Fu, Liu, Guo (2015), as in Hu et al., Tetrahedral meshing in the wild (2018), section 3.3
+/// Improves the tetrahedra of a domain, worst first, by swaps of edges and faces, collapses, moves of
+/// vertices and splits, until all have an AMIPS energy of at most the target. An operation is done only if
+/// the worst of the tetrahedra it replaces gets better. Topology of all meshes is kept. Surface and curves
+/// stay what they are as sets of points, exactly but for rounded splits: their vertices move only where they
+/// lie in exactly flat, or straight, surroundings; locked vertices never do. Volumes of regions are thus
+/// kept, too. All tetrahedra stay of positive orientation, exactly. Deterministic. Cost: some microseconds
+/// per candidate. \throw InputError naming a tetrahedron that is inverted or flat, and for options out of
+/// range; nothing was changed then. Source: the loop, Klingner and Shewchuk, Aggressive tetrahedral mesh
+/// improvement (2007); the energy, Fu, Liu, Guo (2015), as in Hu et al., Tetrahedral meshing in the wild
+/// (2018), section 3.3
 ImproveResult improve(TetDomain& domain, const ImproveOptions& options = {});
 
 }  // namespace multimesh

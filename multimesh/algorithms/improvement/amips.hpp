@@ -24,7 +24,7 @@ inline constexpr double certainly_positive = 1e18;
 /// The energy with its derivatives with respect to a, the other corners being held.
 struct AmipsDerivatives {
   double value = 0;
-  Vec3 gradient = Vec3::Zero();             ///< per unit of length
+  Vec3 gradient = Vec3::Zero();                       ///< per unit of length
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();  ///< per unit of length squared; symmetric
 };
 

@@ -25,8 +25,8 @@ double least_amips_over(const Vec3& a, const Vec3& b, const Vec3& c) {
   return area > 0 ? two_thirds(0.75 * squares / area) : std::numeric_limits<double>::infinity();
 }
 
-// An edge of length 1; the other corners at its middle, at equal distances r with r^2 (1 + s^2) = 1, where s is
-// the sine of half the angle.
+// An edge of length 1; the other corners at its middle, at equal distances r with r^2 (1 + s^2) = 1, where s
+// is the sine of half the angle.
 double least_amips_at_dihedral(double angle) {
   const double regular = std::acos(1.0 / 3);
   const double phi = std::clamp(angle, 0.0, regular);
@@ -38,7 +38,8 @@ double least_amips_at_dihedral(double angle) {
 double least_amips_at_corner(double angle) {
   const double phi = std::clamp(angle, 0.0, std::numbers::pi / 3);
   const double area = std::sin(phi) / 2;
-  return area > 0 ? two_thirds(0.75 * (4 - 2 * std::cos(phi)) / area) : std::numeric_limits<double>::infinity();
+  return area > 0 ? two_thirds(0.75 * (4 - 2 * std::cos(phi)) / area)
+                  : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace multimesh::improvement

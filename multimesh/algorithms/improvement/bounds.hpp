@@ -5,9 +5,9 @@
 
 namespace multimesh::improvement {
 
-// What a fixed surface allows at best: lower bounds of the AMIPS energy, attained by one tetrahedron each. All
-// follow from energy = (sum l^2 / 2) / (6 sqrt(2) volume)^(2/3), l the lengths of the six edges, by minimizing
-// over the corners that are free (docs/improve.md).
+// What a fixed surface allows at best: lower bounds of the AMIPS energy, attained by one tetrahedron each.
+// All follow from energy = (sum l^2 / 2) / (6 sqrt(2) volume)^(2/3), l the lengths of the six edges, by
+// minimizing over the corners that are free (docs/improve.md).
 
 /// Of a tetrahedron over this triangle: (3 S / (4 A))^(2/3), S the sum of the squared lengths of its sides, A
 /// its area. +infinity if it has none.

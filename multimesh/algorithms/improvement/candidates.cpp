@@ -30,20 +30,14 @@ double Candidates::star_quality(const std::vector<Corners>& star) const {
 
 void Candidates::read_edge_state(const Ring& ring) {
   const Held& held = work_.held();
-  edge_.faces.clear();
   edge_.curve = held.curve(ring.darts.front());
   edge_.locked = false;
   for (const Dart d : ring.darts) edge_.locked = edge_.locked || held.is_locked_tet(tet::TetMesh::tet(d));
-  if (!(held.strata(ring.a) & held.strata(ring.b) & Held::on_face)) return;
-  for (std::size_t i = 0; i < ring.rim.size(); ++i) {
-    const bool last = i == ring.size();  // of an open ring: the far face of the last tetrahedron
-    const Dart d = ring.darts[last ? i - 1 : i];
-    if (held.face(last ? work_.mesh().reorder(d, transposition(2)) : d)) edge_.faces.push_back(i);
-  }
+  work_.read_held_faces(ring, edge_.faces);
 }
 
-// The fan from rim[apex]; of a closed ring without the two tetrahedra at the apex, of an open one without that
-// at its end.
+// The fan from rim[apex]; of a closed ring without the two tetrahedra at the apex, of an open one without
+// that at its end.
 double Candidates::fan_quality(const Ring& ring, std::size_t apex, double limit) const {
   const Index x = ring.rim[apex];
   double worst = 0;
@@ -80,14 +74,44 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   }
   if (apex == ring_.rim.size()) return refuse_worse(Kind::edge_swap, least);
   // (a,b,x,..): the dart at the apex; of the last one of an open ring, the far side of the last tetrahedron.
-  const Dart d = apex == ring_.size() ? work_.mesh().reorder(ring_.darts.back(), transposition(2))
-                                      : ring_.darts[apex];
+  const Dart d =
+      apex == ring_.size() ? work_.mesh().reorder(ring_.darts.back(), transposition(2)) : ring_.darts[apex];
   best = {Kind::edge_swap, d, before, limit, Vec3::Zero(), 0, !ring_.closed};
 }
 
 bool Candidates::lengths_allow(Index a, Index b, const Demand& demand) const {
   const double square = (point(a) - point(b)).squaredNorm();
   return square >= demand.shortest * demand.shortest && square <= demand.longest * demand.longest;
+}
+
+// Where rounding takes the middle off the surface, faces around it that were coplanar are so no longer, and
+// may not be swapped any more: better not split at all there.
+bool Candidates::may_split_held(const Vec3& middle, HeldSplits splits) {
+  const Vec3 &a = point(ring_.a), &b = point(ring_.b);
+  if (splits == HeldSplits::none) return false;
+  if (collinear(a.data(), middle.data(), b.data())) return true;
+  if (!edge_.curve && edge_.faces.size() == 2 &&
+      lies_flat_split_at(a, b, point(ring_.rim[edge_.faces[0]]), point(ring_.rim[edge_.faces[1]]), middle))
+    return true;
+  return splits == HeldSplits::rounded && !is_beside_flat_face();
+}
+
+bool Candidates::is_beside_flat_face() {
+  for (const std::size_t i : edge_.faces) {
+    const Dart t =
+        i == ring_.size() ? work_.mesh().reorder(ring_.darts.back(), transposition(2)) : ring_.darts[i];
+    for (const Permutation side : {permutation(0, 2, 1, 3), permutation(1, 2, 0, 3)}) {
+      const Dart e = work_.mesh().reorder(t, side);
+      if (work_.held().curve(e)) continue;
+      work_.read_ring(e, other_ring_);
+      work_.read_held_faces(other_ring_, other_faces_);
+      if (other_faces_.size() == 2 &&
+          lies_flat(point(other_ring_.a), point(other_ring_.b), point(other_ring_.rim[other_faces_[0]]),
+                    point(other_ring_.rim[other_faces_[1]])))
+        return true;
+    }
+  }
+  return false;
 }
 
 void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
@@ -97,10 +121,6 @@ void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
   const Vec3 &a = point(ring_.a), &b = point(ring_.b);
   const Vec3 middle = a + (b - a) / 2;
   if (edge_.locked) return refuse(Kind::split, Why::held);
-  if (!edge_.is_free() &&
-      (demand.held_splits == HeldSplits::none ||
-       (demand.held_splits == HeldSplits::exact && !collinear(a.data(), middle.data(), b.data()))))
-    return refuse(Kind::split, Why::held);
   if ((b - a).norm() < 2 * demand.shortest) return refuse(Kind::split, Why::length);
   const double before = ring_quality(ring_);
   opposite_.clear();
@@ -113,6 +133,7 @@ void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
   const double limit = std::min(demand.limit(before), best.after);
   const double after = worst_quality(place, opposite_, limit);
   if (!(after < limit)) return refuse_worse(Kind::split, after);
+  if (!edge_.is_free() && !may_split_held(middle, demand.held_splits)) return refuse(Kind::split, Why::held);
   std::uint8_t strata = 0;
   if (!edge_.faces.empty()) strata |= Held::on_face;
   if (edge_.curve) strata |= Held::on_curve;
@@ -135,7 +156,8 @@ void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
   const Index a = mesh.vertex(e), b = mesh.vertex(mesh.reorder(e, exchange_ends));
   const bool is_free = work_.held().is_free(a);
   // A vertex of the surface goes along the surface only, one of a curve along the curve.
-  if (!is_free && (work_.held().is_fixed(a) || (work_.held().strata(a) & ~work_.held().strata(b) & ~Held::fixed)))
+  if (!is_free &&
+      (work_.held().is_fixed(a) || (work_.held().strata(a) & ~work_.held().strata(b) & ~Held::fixed)))
     return refuse(Kind::collapse, Why::held);
   work_.read_star(e, star_);
   const double before = star_quality(star_);

@@ -10,8 +10,7 @@
 
 namespace multimesh::improvement {
 
-/// How surface and curve edges may be split: never; only where the middle, rounded to doubles, is on the edge
-/// exactly; or always, then the surface is displaced by the rounding, half an ulp of each coordinate.
+/// How surface and curve edges may be split, see SurfaceSplits.
 enum class HeldSplits : std::uint8_t { none, exact, rounded };
 
 /// An operation that would make the worst of the tetrahedra it replaces better.
@@ -29,9 +28,9 @@ struct Candidate {
 
 /// What is asked of a candidate.
 struct Demand {
-  double gain = 0.999;           ///< after < gain * before
-  double enough = 0;             ///< or after <= this
-  double shortest = 0;           ///< no new edge is shorter
+  double gain = 0.999;                                       ///< after < gain * before
+  double enough = 0;                                         ///< or after <= this
+  double shortest = 0;                                       ///< no new edge is shorter
   double longest = std::numeric_limits<double>::infinity();  ///< no new edge is longer
   HeldSplits held_splits = HeldSplits::rounded;
 
@@ -63,7 +62,11 @@ class Candidates {
     bool is_free() const { return !curve && !locked && faces.empty(); }
   };
   void read_edge_state(const Ring& ring);
-  void refuse(Kind kind, Why why) { ++counts_[static_cast<std::size_t>(kind)].refused[static_cast<std::size_t>(why)]; }
+  bool may_split_held(const Vec3& middle, HeldSplits splits);
+  bool is_beside_flat_face();
+  void refuse(Kind kind, Why why) {
+    ++counts_[static_cast<std::size_t>(kind)].refused[static_cast<std::size_t>(why)];
+  }
   void refuse_worse(Kind kind, double after) {
     refuse(kind, after < std::numeric_limits<double>::infinity() ? Why::worse : Why::inverted);
   }
@@ -79,8 +82,9 @@ class Candidates {
   const Workspace& work_;
   Counts& counts_;
   ExactPlace place_;
-  Ring ring_;
+  Ring ring_, other_ring_;
   EdgeState edge_;
+  std::vector<std::size_t> other_faces_;
   std::vector<Corners> star_;
   std::vector<Opposite> opposite_;
 };

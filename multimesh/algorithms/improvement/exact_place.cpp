@@ -21,8 +21,7 @@ int turn_without(int axis, const Vec3& a, const Vec3& b, const Vec3& c) {
 /// Whether (p,b,c), in the plane of (a,b,c), has the same orientation there.
 bool same_turn(const Vec3& a, const Vec3& p, const Vec3& b, const Vec3& c) {
   for (int axis = 0; axis < 3; ++axis)
-    if (const int turn = turn_without(axis, a, b, c); turn != 0)
-      return turn_without(axis, p, b, c) == turn;
+    if (const int turn = turn_without(axis, a, b, c); turn != 0) return turn_without(axis, p, b, c) == turn;
   return false;  // a triangle without area
 }
 
@@ -146,7 +145,8 @@ std::array<bool, 3> ExactPlace::axes() const {
   for (int axis = 0; axis < 3; ++axis) {
     bool parallel = true;
     if (n_curve_edges_ > 0)
-      for (int i = 0; i < 3; ++i) parallel = parallel && (i == axis || point(curve_[0])[i] == point(curve_[1])[i]);
+      for (int i = 0; i < 3; ++i)
+        parallel = parallel && (i == axis || point(curve_[0])[i] == point(curve_[1])[i]);
     for (const Face& f : faces_)
       parallel = parallel && turn_without(axis, point(v_), point(f.p), point(f.q)) == 0;
     free[static_cast<std::size_t>(axis)] = parallel;
@@ -170,6 +170,11 @@ bool lies_flat(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) {
   for (int axis = 0; axis < 3; ++axis)
     if (const int side = turn_without(axis, a, b, x); side != 0) return turn_without(axis, a, b, y) == -side;
   return false;
+}
+
+bool lies_flat_split_at(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, const Vec3& m) {
+  return lies_flat(a, b, x, y) && coplanar(a, b, x, m) && same_turn(a, m, b, x) && same_turn(b, m, a, x) &&
+         same_turn(a, m, b, y) && same_turn(b, m, a, y);
 }
 
 }  // namespace multimesh::improvement

@@ -8,9 +8,9 @@
 
 namespace multimesh::improvement {
 
-/// Where a vertex of the surface or of a curve may go so that surface and curves stay the same sets of points,
-/// exactly: within the plane of its faces, if all of them lie in one; along its curve, if that is straight there
-/// and each sheet of the surface at it is plane. All tests are of exact signs.
+/// Where a vertex of the surface or of a curve may go so that surface and curves stay the same sets of
+/// points, exactly: within the plane of its faces, if all of them lie in one; along its curve, if that is
+/// straight there and each sheet of the surface at it is plane. All tests are of exact signs.
 class ExactPlace {
  public:
   explicit ExactPlace(const Workspace& work) : work_(work) {}
@@ -56,5 +56,9 @@ bool may_exchange_diagonals(const Vec3& a, const Vec3& b, const Vec3& x, const V
 
 /// Whether the faces (a,b,x) and (a,b,y) lie in one plane, on different sides of a-b. Exact.
 bool lies_flat(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y);
+
+/// Whether they do, and a vertex at m in place of the middle of a-b leaves their set of points as it is.
+/// Exact.
+bool lies_flat_split_at(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, const Vec3& m);
 
 }  // namespace multimesh::improvement

@@ -6,10 +6,7 @@
 namespace multimesh::improvement {
 
 Held::Held(const TetDomain& domain, const std::vector<TetDomain::Tag>& locked_regions)
-    : domain_(domain),
-      mesh_(domain.mesh()),
-      locked_regions_(locked_regions),
-      strata_(mesh_.capacity(0), 0) {
+    : domain_(domain), mesh_(domain.mesh()), locked_regions_(locked_regions), strata_(mesh_.capacity(0), 0) {
   std::sort(locked_regions_.begin(), locked_regions_.end());
   hold_faces();
   if (domain.curves()) hold_curves();
@@ -43,8 +40,8 @@ bool Held::curve(Dart e) const {
 }
 
 void Held::hold_faces() {
-  constexpr Permutation faces[4] = {permutation(1, 2, 3, 0), permutation(0, 2, 3, 1),
-                                    permutation(0, 1, 3, 2), permutation(0, 1, 2, 3)};
+  constexpr Permutation faces[4] = {permutation(1, 2, 3, 0), permutation(0, 2, 3, 1), permutation(0, 1, 3, 2),
+                                    permutation(0, 1, 2, 3)};
   for (Index t = 0; t < mesh_.capacity(3); ++t) {
     if (!mesh_.is_live(3, t)) continue;
     const Index* v = mesh_.corners(t);

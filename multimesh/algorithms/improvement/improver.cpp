@@ -77,7 +77,8 @@ void Improver::changed(Dart v) {
 bool Improver::swap_or_collapse(Index t, const Demand& demand) {
   Candidate best;
   for (const auto& [i, j] : edges) candidates_.edge_swap(Workspace::edge(t, i, j), demand, best);
-  for (const Permutation p : {Permutation{}, permutation(0, 1, 3, 2), permutation(0, 2, 3, 1), permutation(1, 2, 3, 0)})
+  for (const Permutation p :
+       {Permutation{}, permutation(0, 1, 3, 2), permutation(0, 2, 3, 1), permutation(1, 2, 3, 0)})
     candidates_.face_swap(tet::TetMesh::dart(t, p), demand, best);
   const Corners c = work_.corners(t);
   for (int i = 0; i < 4; ++i) {
@@ -236,7 +237,8 @@ std::size_t Improver::pass(int trial_splits) {
 
 // --- sizes ---------------------------------------------------------------------------------------------
 
-// Tetrahedra in the order of their greatest length, as long as that is above 1; `length` gives it, and the edge.
+// Tetrahedra in the order of their greatest length, as long as that is above 1; `length` gives it, and the
+// edge.
 template <class Length, class Apply>
 std::size_t Improver::sweep_edges(const Length& length, const Apply& apply) {
   const std::size_t done = done_;
@@ -250,7 +252,8 @@ std::size_t Improver::sweep_edges(const Length& length, const Apply& apply) {
   EdgeQueue::Entry next;
   trying_ = true;  // what changes goes to touched_, not to the queue of bad ones
   while (queue.pop(next)) {
-    if (!work_.is_live(next.edge) || work_.held().is_locked_tet(next.edge) || !(length(next.edge, e) > 1)) continue;
+    if (!work_.is_live(next.edge) || work_.held().is_locked_tet(next.edge) || !(length(next.edge, e) > 1))
+      continue;
     touched_.clear();
     if (!apply(e)) continue;
     for (const Index t : touched_) push(t);
@@ -267,29 +270,28 @@ std::size_t Improver::resize() {
     const Corners c = work_.corners(t);
     double greatest = 0;
     for (const auto& [i, j] : edges) {
-      const double m = measure((work_.point(c[static_cast<std::size_t>(i)]) -
-                                work_.point(c[static_cast<std::size_t>(j)])).norm());
+      const double m = measure(
+          (work_.point(c[static_cast<std::size_t>(i)]) - work_.point(c[static_cast<std::size_t>(j)])).norm());
       if (m > greatest) greatest = m, e = Workspace::edge(t, i, j);
     }
     return greatest;
   };
   const double longest = options_.edge_length * 4 / 3, shortest = options_.edge_length * 4 / 5;
-  std::size_t n = sweep_edges(
-      [&](Index t, Dart& e) { return extreme(t, e, [&](double l) { return l / longest; }); },
-      [&](Dart e) {
-        Candidate split;
-        candidates_.split(e, demand, split);
-        return take(split);
-      });
+  std::size_t n =
+      sweep_edges([&](Index t, Dart& e) { return extreme(t, e, [&](double l) { return l / longest; }); },
+                  [&](Dart e) {
+                    Candidate split;
+                    candidates_.split(e, demand, split);
+                    return take(split);
+                  });
   demand.longest = longest;
-  n += sweep_edges(
-      [&](Index t, Dart& e) { return extreme(t, e, [&](double l) { return shortest / l; }); },
-      [&](Dart e) {
-        Candidate collapse;
-        candidates_.collapse(e, demand, collapse);
-        candidates_.collapse(work_.mesh().reorder(e, exchange_ends), demand, collapse);
-        return take(collapse);
-      });
+  n += sweep_edges([&](Index t, Dart& e) { return extreme(t, e, [&](double l) { return shortest / l; }); },
+                   [&](Dart e) {
+                     Candidate collapse;
+                     candidates_.collapse(e, demand, collapse);
+                     candidates_.collapse(work_.mesh().reorder(e, exchange_ends), demand, collapse);
+                     return take(collapse);
+                   });
   return n;
 }
 

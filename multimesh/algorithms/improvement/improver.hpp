@@ -13,9 +13,9 @@ class Improver {
  public:
   Improver(TetDomain& domain, const ImproveOptions& options);
 
-  /// One pass over all tetrahedra above the target, worst first. Where nothing helps at once, that many splits
-  /// are tried that make things worse at first, and kept if what follows makes them better than before.
-  /// \return how many operations were done
+  /// One pass over all tetrahedra above the target, worst first. Where nothing helps at once, that many
+  /// splits are tried that make things worse at first, and kept if what follows makes them better than
+  /// before. \return how many operations were done
   std::size_t pass(int trial_splits);
   /// Splits edges that are too long, and collapses short ones. \return how many
   std::size_t resize();

@@ -47,16 +47,6 @@ Obstacles::Obstacles(const Workspace& work, SurfaceSplits splits)
   }
 }
 
-std::vector<std::size_t> Obstacles::held_rim(const Ring& ring) const {
-  std::vector<std::size_t> held;
-  for (std::size_t i = 0; i < ring.rim.size(); ++i) {
-    const bool last = i == ring.size();
-    const Dart d = ring.darts[last ? i - 1 : i];
-    if (work_.held().face(last ? work_.mesh().reorder(d, transposition(2)) : d)) held.push_back(i);
-  }
-  return held;
-}
-
 void Obstacles::force(Dart at, const Forced& f) {
   const Index v = work_.mesh().vertex(at);
   if (f.bound > forced_[v].bound) forced_[v] = f;
@@ -66,7 +56,8 @@ void Obstacles::force(Dart at, const Forced& f) {
 // The angle from this face to the next one around the edge, through the tetrahedron of the dart.
 void Obstacles::read_edge(Dart e) {
   work_.read_ring(e, ring_);
-  const std::vector<std::size_t> held = held_rim(ring_);
+  work_.read_held_faces(ring_, held_faces_);
+  const std::vector<std::size_t>& held = held_faces_;
   const auto angle = [&](std::size_t i) {
     return dihedral(work_.point(ring_.a), work_.point(ring_.b), work_.point(ring_.rim[i]),
                     work_.point(ring_.next(i)));
@@ -87,7 +78,8 @@ void Obstacles::read_edge(Dart e) {
 bool Obstacles::is_crease(Dart e) {
   if (work_.held().curve(e)) return true;
   work_.read_ring(e, ring_);
-  const std::vector<std::size_t> held = held_rim(ring_);
+  work_.read_held_faces(ring_, held_faces_);
+  const std::vector<std::size_t>& held = held_faces_;
   if (held.size() != 2) return true;
   return !lies_flat(work_.point(ring_.a), work_.point(ring_.b), work_.point(ring_.rim[held[0]]),
                     work_.point(ring_.rim[held[1]]));
@@ -149,8 +141,7 @@ std::vector<ImproveObstacle> Obstacles::explain(double limit) const {
     if (std::cbrt(q) <= group.max_amips) continue;
     group.max_amips = std::cbrt(q);
     const Corners c = work_.corners(t);
-    const Vec3 centre =
-        (work_.point(c[0]) + work_.point(c[1]) + work_.point(c[2]) + work_.point(c[3])) / 4;
+    const Vec3 centre = (work_.point(c[0]) + work_.point(c[1]) + work_.point(c[2]) + work_.point(c[3])) / 4;
     group.example = {centre[0], centre[1], centre[2]};
   }
   std::vector<ImproveObstacle> list;

@@ -8,8 +8,8 @@
 
 namespace multimesh::improvement {
 
-/// What the held faces and curves of a domain force upon any mesh of it: a tetrahedron in each angle between two
-/// faces around an edge, and one with a face in each corner of a face between two edges that are creases.
+/// What the held faces and curves of a domain force upon any mesh of it: a tetrahedron in each angle between
+/// two faces around an edge, and one with a face in each corner of a face between two edges that are creases.
 class Obstacles {
  public:
   /// Cost: a ring per edge on held faces
@@ -34,7 +34,6 @@ class Obstacles {
   void read_edge(Dart e);
   void read_face(Dart f);
   bool is_crease(Dart e);
-  std::vector<std::size_t> held_rim(const Ring& ring) const;
   void force(Dart at, const Forced& f);
   std::string reason_of(Index t, double& bound) const;
 
@@ -44,6 +43,7 @@ class Obstacles {
   double bound_ = 3;
   Vec3 place_ = Vec3::Zero();
   Ring ring_;
+  std::vector<std::size_t> held_faces_;
 };
 
 }  // namespace multimesh::improvement

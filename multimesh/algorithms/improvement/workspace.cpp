@@ -74,13 +74,22 @@ void Workspace::read_ring(Dart e, Ring& ring) const {
   if (!ring.closed) ring.rim.push_back(v[3]);
 }
 
+void Workspace::read_held_faces(const Ring& ring, std::vector<std::size_t>& faces) const {
+  faces.clear();
+  if (!(held_.strata(ring.a) & held_.strata(ring.b) & Held::on_face)) return;
+  for (std::size_t i = 0; i < ring.rim.size(); ++i) {
+    const bool last = i == ring.size();  // of an open ring: the far face of the last tetrahedron
+    const Dart d = ring.darts[last ? i - 1 : i];
+    if (held_.face(last ? mesh_.reorder(d, transposition(2)) : d)) faces.push_back(i);
+  }
+}
+
 void Workspace::read_star(Dart v, std::vector<Corners>& star) const {
   mesh_.star(v, 0, darts_);
   star.clear();
   for (const Dart d : darts_)
-    star.push_back(
-        corners(tet::TetMesh::tet(d),
-                static_cast<std::size_t>(Permutation{static_cast<std::uint8_t>(code(d) & 31U)}[0])));
+    star.push_back(corners(tet::TetMesh::tet(d), static_cast<std::size_t>(Permutation{
+                                                     static_cast<std::uint8_t>(code(d) & 31U)}[0])));
 }
 
 void Workspace::read_star(Dart v, std::vector<Index>& tets) const {
@@ -125,9 +134,8 @@ Dart Workspace::swap_face(Dart f) {
 }
 
 bool Workspace::move(Dart v, const Vec3& to) {
-  return keep(operations_.relocate(NodeId::root, v, [&](const Event&) {
-           positions_.set(mesh_.vertex(v), to);
-         })) != no_dart;
+  return keep(operations_.relocate(NodeId::root, v,
+                                   [&](const Event&) { positions_.set(mesh_.vertex(v), to); })) != no_dart;
 }
 
 }  // namespace multimesh::improvement

@@ -53,6 +53,8 @@ class Workspace {
   /// The dart (corner i, corner j, ..) of t.
   static Dart edge(Index t, int i, int j);
   void read_ring(Dart e, Ring& ring) const;
+  /// Positions i in the rim for which the face (a,b,rim[i]) is held.
+  void read_held_faces(const Ring& ring, std::vector<std::size_t>& faces) const;
   /// The tetrahedra around a vertex, which is the first corner of each. `v`: a dart at it.
   void read_star(Dart v, std::vector<Corners>& star) const;
   /// Live tetrahedra around a vertex.
