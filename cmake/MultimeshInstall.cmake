@@ -11,7 +11,12 @@ set(pkgconfig_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 install(TARGETS ${libraries} EXPORT multimesh-targets)
 install(EXPORT multimesh-targets NAMESPACE multimesh:: DESTINATION "${package_dir}")
 install(DIRECTORY multimesh adapters "${PROJECT_BINARY_DIR}/include/multimesh" DESTINATION "${include_dir}"
-  FILES_MATCHING PATTERN "*.hpp")
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "adapters/tetgen/worker" EXCLUDE)
+
+if(MULTIMESH_WITH_TETGEN)
+  install(TARGETS multimesh_tetgen_worker DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/multimesh")
+  install(FILES cmake/MultimeshTetgen.cmake DESTINATION "${package_dir}")
+endif()
 
 configure_package_config_file(cmake/multimesh-config.cmake.in multimesh-config.cmake
   INSTALL_DESTINATION "${package_dir}")

@@ -16,7 +16,8 @@ constexpr int edge_corner[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3
 
 class TetCutter {
  public:
-  explicit TetCutter(const FacetList& in) : in_(in), alone_(in.size(), false) {}
+  explicit TetCutter(const FacetList& in)
+      : in_(in), alone_(in.size(), false), parted_(4 * in.size(), false) {}
 
   Cut run() {
     do {
@@ -80,7 +81,7 @@ class TetCutter {
       for (j = i;
            j < bucket.size() && bucket[j].second == bucket[i].second && bucket[j].third == bucket[i].third;)
         ++j;
-      if (j - i != 2) continue;
+      if (j - i != 2 || parted_[bucket[i].side]) continue;
       partner_[bucket[i].side] = bucket[i + 1].side;
       partner_[bucket[i + 1].side] = bucket[i].side;
     }
@@ -164,7 +165,7 @@ class TetCutter {
     for (Index t = 0; t < tets(); ++t)
       for (Index e = 0; e < 6; ++e) edge_[6 * t + e] = edges(end(t, e, 0), end(t, e, 1));
     if (set_faces_apart(edges.size())) return true;
-    return set_fans_apart(edges.size());
+    return set_fans_apart(edges.size()) || set_links_apart(edges.size());
   }
 
   Index end(Index t, Index e, int i) const { return number_[4 * t + static_cast<Index>(edge_corner[e][i])]; }
@@ -225,6 +226,78 @@ class TetCutter {
     return changed;
   }
 
+  // Vertices whose link is a surface other than a sphere or a disk; by then links are connected and without
+  // pinches. By Euler characteristic: vertices are edges at it, triangles its tetrahedra.
+  bool set_links_apart(Index edges) {
+    std::vector<long> euler(source_.size(), 0);
+    std::vector<bool> rim(source_.size(), false), seen(edges, false);
+    std::vector<std::vector<Index>> corners_of_singular;
+    for (Index x = 0; x < edge_.size(); ++x)
+      if (!seen[edge_[x]]) {
+        seen[edge_[x]] = true;
+        for (const int i : {0, 1}) euler[end(x / 6, x % 6, i)] += 2;  // counted twice until the end
+      }
+    for (Index s = 0; s < partner_.size(); ++s)
+      for (Index c = s - s % 4; c < s - s % 4 + 4; ++c) {
+        if (c == s) {
+          euler[number_[c]] += 2;  // the triangle
+        } else {
+          euler[number_[c]] -= partner_[s] == no_index ? 2 : 1;  // an edge of the link, from this side
+          if (partner_[s] == no_index) rim[number_[c]] = true;
+        }
+      }
+    std::vector<Index> list(source_.size(), no_index);
+    for (Index c = 0; c < number_.size(); ++c) {
+      const Index v = number_[c];
+      if (euler[v] == (rim[v] ? 2 : 4)) continue;
+      if (list[v] == no_index) {
+        list[v] = static_cast<Index>(corners_of_singular.size());
+        corners_of_singular.emplace_back();
+      }
+      corners_of_singular[list[v]].push_back(c);
+    }
+    for (const auto& corners : corners_of_singular) part_a_disk(corners);
+    return !corners_of_singular.empty();
+  }
+
+  // Cuts a disk out of the link of a vertex: its tetrahedra are parted from the others there, and so get a
+  // copy of the vertex, by which their faces and edges at it differ. What is left may need another round.
+  void part_a_disk(const std::vector<Index>& corners) {
+    std::vector<Index> disk{corners.front() / 4}, rim_vertices;
+    const auto corner_at = [&](Index t) {
+      return *std::find_if(corners.begin(), corners.end(), [&](Index c) { return c / 4 == t; });
+    };
+    const auto in_disk = [&](Index t) { return std::find(disk.begin(), disk.end(), t) != disk.end(); };
+    const auto add_vertices = [&](Index t) {
+      for (Index c = 4 * t; c < 4 * t + 4; ++c)
+        if (c != corner_at(t)) rim_vertices.push_back(number_[c]);
+    };
+    add_vertices(disk.front());
+    // A triangle may join if it meets the disk in one edge and no other vertex, or in two edges.
+    const auto may_join = [&](Index t) {
+      int sides = 0, vertices = 0;
+      for (Index c = 4 * t; c < 4 * t + 4; ++c) {
+        if (c == corner_at(t)) continue;
+        sides += partner_[c] != no_index && in_disk(partner_[c] / 4);
+        vertices += std::find(rim_vertices.begin(), rim_vertices.end(), number_[c]) != rim_vertices.end();
+      }
+      return (sides == 1 && vertices == 2) || sides == 2;
+    };
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (const Index c : corners)
+        if (!in_disk(c / 4) && may_join(c / 4)) {
+          disk.push_back(c / 4);
+          add_vertices(c / 4);
+          grown = true;
+        }
+    }
+    for (const Index t : disk)
+      for (Index s = 4 * t; s < 4 * t + 4; ++s)
+        if (s != corner_at(t) && partner_[s] != no_index && !in_disk(partner_[s] / 4))
+          parted_[s] = parted_[partner_[s]] = true;
+  }
+
   static Index edge_slot(Index corner, Index other) {
     Index e = 0;
     const int low = static_cast<int>(std::min(corner, other) % 4),
@@ -243,6 +316,7 @@ class TetCutter {
 
   const FacetList& in_;
   std::vector<bool> alone_;     // tetrahedra that are joined to nothing
+  std::vector<bool> parted_;    // sides that are not joined, though they could be
   std::vector<Index> partner_;  // of side 4 t + f, opposite corner f: the side it is joined to, or no_index
   std::vector<bool> reversed_;
   std::vector<Index> number_;  // of corner 4 t + i: its new vertex

@@ -150,6 +150,10 @@ class Mesh {
   /// Whether a j-simplex around the k-simplex of d, k < j, has a facet of a child over it; j is the dimension
   /// of the link set. One call per star: adapters may know a faster way than this one.
   virtual bool has_link_around(LinkSet links, int j, Dart d, int k) const;
+  /// False where it is certain, at a glance, that no j-simplex around the k-simplex of d has a link, or no
+  /// face of its facet, respectively: spares a look at all of them.
+  virtual bool may_have_link_around(LinkSet, Dart, int) const { return true; }
+  virtual bool may_have_link_in_facet(LinkSet, Dart) const { return true; }
 
   // --- maintenance
   /// Removes dead elements for good; properties and status bits move along. \pre the journal is empty

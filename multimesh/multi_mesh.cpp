@@ -224,6 +224,7 @@ void MultiMesh::to_child(NodeId child, Dart d, int k, DartBuffer& out) const {
     if (const Index f = above.link(c.links, d); f != no_index) out.push_back(lift(above, below, f, d));
     return;
   }
+  if (!above.may_have_link_around(c.links, d, k)) return;
   const std::size_t first = out.size();
   above.star(d, k, star_);
   for (const Dart t : star_)

@@ -124,6 +124,11 @@ class MultiMesh {
     const Node& c = nodes_[index(child)];
     return nodes_[index(c.parent)].mesh->link(c.links, d);
   }
+  /// Whether facets of the child may lie over faces of the parent's facet at d; a cheap look.
+  bool may_have_links(NodeId child, Dart d) const {
+    const Node& c = nodes_[index(child)];
+    return nodes_[index(c.parent)].mesh->may_have_link_in_facet(c.links, d);
+  }
   void set_link_of(NodeId child, Dart d, Index facet) {
     const Node& c = nodes_[index(child)];
     nodes_[index(c.parent)].mesh->set_link(c.links, d, facet);

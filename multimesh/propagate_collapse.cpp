@@ -138,6 +138,7 @@ void Propagation::collect_moved_by_collapse(NodeId n) {
 
 // Child facets over faces of this facet, and anchored in it. They lose their link until they are renamed.
 void Propagation::collect_anchored_in(NodeId child, Dart facet) {
+  if (!tree_.may_have_links(child, facet)) return;
   const Mesh& below = tree_.mesh(child);
   const Mesh& mesh = tree_.mesh(tree_.parent(child));
   for (const Permutation p : faces_around(mesh.dimension(), below.dimension(), -1)) {

@@ -63,6 +63,7 @@ void Propagation::collect_moved_by_split(const Copy& c) {
   mesh.star(c.dart, 1, star_);
   for (const Dart t : star_)
     for (const NodeId child : children) {
+      if (!tree_.may_have_links(child, t)) continue;
       const int k = tree_.mesh(child).dimension();
       for (const Permutation p : faces_around(d, k, -1)) {
         const Dart face = mesh.reorder(t, p);

@@ -15,12 +15,10 @@ Transaction::Transaction(MultiMesh& tree, std::span<Attribute* const> attributes
 
 Transaction::~Transaction() {
   if (!open_) return;
-  // Attributes first: the old value of a slot that was taken again is the one it was reset to; what it had
-  // before is the mesh's to restore.
-  std::size_t i = tree_.top_down_.size();
-  for (Attribute* a : attributes_) a->rollback(mark(i++));
-  i = 0;
+  // Meshes first: vertices that are popped need no old value.
+  std::size_t i = 0;
   for (const NodeId n : tree_.top_down_) tree_.mesh(n).rollback(mark(i++));
+  for (Attribute* a : attributes_) a->rollback(mark(i++));
   --tree_.open_transactions_;
 }
 

@@ -11,5 +11,8 @@ enum ExitCode : int { done = 0, refused = 1, usage = 2 };
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_decimate_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
+/// Says that it is not there in a build without TetGen.
+void add_tetrahedralize_command(CLI::App& app, int& exit_code);
+void add_validate_command(CLI::App& app, int& exit_code);
 
 }  // namespace multimesh::tools

@@ -136,7 +136,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0U, 1024U))
       ->capture_default_str();
   command->add_flag("--json", a->json, "print JSON");
-  command->add_option("--report-html", a->html, "write a page with both surfaces in 3D and the errors measured");
+  command->add_option("--report-html", a->html,
+                      "write a page with both surfaces in 3D and the errors measured");
   command->footer(
       "Example:  multimesh compare cow.obj small.obj\n\n"
       "distance: of the surfaces, both ways. texture deviation: from a point to the place of the original "

@@ -36,7 +36,8 @@ bool same_file(const fs::path& x, const fs::path& y) {
 
 void check_report_path(const std::string& report, const DecimateArguments& a) {
   std::vector<fs::path> meshes{a.input, a.output};
-  for (std::size_t level = 1; level <= a.levels.size(); ++level) meshes.push_back(level_path(a.output, level));
+  for (std::size_t level = 1; level <= a.levels.size(); ++level)
+    meshes.push_back(level_path(a.output, level));
   check_output_path(report, meshes);
 }
 
@@ -49,15 +50,18 @@ void check_paths(const DecimateArguments& a) {
     const fs::path path = level_path(a.output, level);
     check_output_path(path, {});
     if (same_file(path, a.input))
-      throw InputError(path.string() + ": a level would replace the input; choose another name for the output");
+      throw InputError(path.string() +
+                       ": a level would replace the input; choose another name for the output");
   }
   if ((a.measure || !a.html.empty()) && same_file(a.input, a.output))
-    throw InputError(a.output + ": would replace the input, with which it is to be compared; choose another name");
+    throw InputError(a.output +
+                     ": would replace the input, with which it is to be compared; choose another name");
   if (!a.report.empty()) check_report_path(a.report, a);
   if (a.html.empty()) return;
   require_html_report();
   check_report_path(a.html, a);
-  if (a.html == a.report) throw InputError(a.html + ": both reports would have this name; choose another one");
+  if (a.html == a.report)
+    throw InputError(a.html + ": both reports would have this name; choose another one");
 }
 
 /// Of the whole run, for the reports.

@@ -4,6 +4,8 @@
 
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
+#include "tools/domain_file.hpp"
+#include "tools/domain_json.hpp"
 #include "tools/surface_file.hpp"
 #include "tools/surface_json.hpp"
 
@@ -85,27 +87,76 @@ void print(const Json& j) {
   for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
 }
 
+/// Triangles of a file that may also hold tetrahedra.
+SurfaceFile surface_of(DomainFile& file) {
+  if (file.soup.simplices[2].size() == 0)
+    throw InputError(file.path.string() + ": has neither tetrahedra nor triangles");
+  SurfaceFile surface;
+  surface.path = file.path;
+  surface.input = triangles_of(file);
+  surface.contents.positions = file.soup.points.size();
+  surface.contents.faces = surface.contents.triangles = surface.input.triangles.size();
+  surface.warnings = std::move(file.warnings);
+  return surface;
+}
+
+Json describe(DomainFile& file) {
+  Json j;
+  j["file"] = file.path.string();
+  Json groups = Json::array();
+  for (const auto& g : file.soup.groups)
+    groups.push_back({{"dimension", g.dimension}, {"tag", g.tag}, {"name", g.name}});
+  j["contents"] = {
+      {"points", file.soup.points.size()},           {"vertices", file.soup.simplices[0].size()},
+      {"edges", file.soup.simplices[1].size()},      {"triangles", file.soup.simplices[2].size()},
+      {"tetrahedra", file.soup.simplices[3].size()}, {"groups", groups}};
+  const TetDomain domain(take_tetrahedra(file));
+  j["meshes"] = to_json(report(domain));
+  j["warnings"] = file.warnings;
+  for (const std::string& w : warnings_of(domain.report())) j["warnings"].push_back(w);
+  return j;
+}
+
+void print_domain_file(const Json& j) {
+  const Json& c = j["contents"];
+  std::cout << j["file"].get<std::string>() << "\n  file:       " << c["points"]
+            << " points; listed: " << c["tetrahedra"] << " tetrahedra, " << c["triangles"] << " triangles, "
+            << c["edges"] << " edges, " << c["vertices"] << " vertices, " << c["groups"].size()
+            << " named groups\n";
+  print_domain(j["meshes"]);
+  for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
+}
+
 }  // namespace
 
 void add_info_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("info", "What is in a file, mesh by mesh.");
   auto arguments = std::make_shared<InfoArguments>();
-  command->add_option("FILE", arguments->input, "OBJ or PLY file")->required();
+  command->add_option("FILE", arguments->input, "OBJ, PLY, STL, OFF; MSH, MEDIT, VTU, VTK; also gzipped")
+      ->required();
   command->add_flag("--json", arguments->json, "print JSON");
   command->footer(
       "A textured file is two meshes: the surface, by positions, and the texture, by texture coordinates. "
       "They\n"
-      "have the same triangles and different vertices; the seams are where the texture is cut open. Input "
-      "that is\n"
-      "not manifold is cut, and the numbers are those of the cut meshes.");
+      "have the same triangles and different vertices; the seams are where the texture is cut open. A file "
+      "of\n"
+      "tetrahedra is three: the tetrahedra; the surface, which is their boundary, the interfaces between\n"
+      "regions and the triangles that are listed; and curves, where sheets of the surface meet and edges "
+      "that\n"
+      "are listed. Input that is not manifold is cut, and the numbers are those of the cut meshes.");
   command->callback([arguments, &exit_code] {
-    const SurfaceFile file = read_surface(arguments->input);
-    const TexturedSurface surface(file.input);
-    const Json j = describe(file, surface);
-    if (arguments->json) {
-      std::cout << to_text(j);
+    const auto tell = [&](const Json& j, void (*in_lines)(const Json&)) {
+      arguments->json ? void(std::cout << to_text(j)) : in_lines(j);
+    };
+    const auto tell_surface = [&](const SurfaceFile& file) {
+      tell(describe(file, TexturedSurface(file.input)), print);
+    };
+    if (is_surface_format(arguments->input)) {
+      tell_surface(read_surface(arguments->input));
+    } else if (DomainFile file = read_domain_file(arguments->input); file.soup.simplices[3].size() > 0) {
+      tell(describe(file), print_domain_file);
     } else {
-      print(j);
+      tell_surface(surface_of(file));
     }
     if (!std::cout.flush()) throw InputError("standard output: writing failed");
     exit_code = done;

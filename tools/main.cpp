@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   using namespace multimesh;
   give_memory_back();
   io::install_signal_cleanup();
-  CLI::App app{"Textured surfaces as multimeshes: surface, texture and seams stay in step."};
+  CLI::App app{"Meshes that stay in step: textured surfaces with their seams, tetrahedra with surfaces and curves inside."};
   app.name("multimesh");
   app.set_version_flag("--version", std::string("multimesh ") + version);
   app.require_subcommand(1);
@@ -37,6 +37,8 @@ int main(int argc, char** argv) {
   tools::add_decimate_command(app, exit_code);
   tools::add_compare_command(app, exit_code);
   tools::add_info_command(app, exit_code);
+  tools::add_tetrahedralize_command(app, exit_code);
+  tools::add_validate_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

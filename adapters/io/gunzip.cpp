@@ -74,13 +74,13 @@ std::string gunzip(std::string_view bytes, const std::string& file) {
 }
 
 std::string inflate_zlib(std::string_view bytes, std::size_t most, const std::string& file) {
-  // zlib cannot reach a larger ratio; so a size that is only claimed allocates nothing.
-  constexpr std::size_t largest_ratio = 1032;
-  std::string content(std::min(most, largest_ratio * (bytes.size() + 1)), '\0');
   Inflater inflater(bytes, zlib_format);
+  // Grows with what is there, for `most` may be a number that is only claimed.
+  std::string content(std::min(most, 4 * bytes.size() + 1024), '\0');
   std::size_t size = 0;
   int status = Z_OK;
   while (status == Z_OK) {
+    if (size == content.size()) content.resize(std::min(most, 2 * size));
     const std::size_t got = inflater.read(content.data() + size, content.size() - size, status);
     size += got;
     if (status == Z_OK && got == 0) break;

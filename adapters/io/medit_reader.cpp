@@ -66,6 +66,7 @@ class MeditParser {
     begin();
     std::string_view name;
     while (words_.next(name) && name != "End") section(name);
+    if (name != "End") builder_.warn("the file does not end with End; it may be truncated");
     // Elements and vertices may come after the lists that name them.
     for (const auto& [section, number, line] : flags_)
       builder_.add_flag(section->dimension, number, section->flag, line);

@@ -23,16 +23,21 @@ bool is_packed(const std::filesystem::path& path) {
 }  // namespace
 
 PolygonSoup read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  const std::string extension = format_extension(path);
   std::error_code error;
   // What is no file is refused as such by any reader, whatever its extension.
   if (!std::filesystem::is_regular_file(path, error)) return read_obj(path, options);
   // Not through memory as the others: OBJ files are the large ones.
-  if (extension == ".obj" && !is_packed(path)) return read_obj(path, options);
-  if (extension == ".obj") return parse_obj(UnpackedBytes(path).view(), path, options);
-  if (extension == ".ply") return parse_ply(UnpackedBytes(path).view(), path, options);
-  if (extension == ".stl") return parse_stl(UnpackedBytes(path).view(), path, options);
-  if (extension == ".off") return parse_off(UnpackedBytes(path).view(), path, options);
+  if (format_extension(path) == ".obj" && !is_packed(path)) return read_obj(path, options);
+  return parse_mesh(UnpackedBytes(path).view(), path, options);
+}
+
+PolygonSoup parse_mesh(std::string_view bytes, const std::filesystem::path& path,
+                       const ReadOptions& options) {
+  const std::string extension = format_extension(path);
+  if (extension == ".obj") return parse_obj(bytes, path, options);
+  if (extension == ".ply") return parse_ply(bytes, path, options);
+  if (extension == ".stl") return parse_stl(bytes, path, options);
+  if (extension == ".off") return parse_off(bytes, path, options);
   fail_file(path.string(), (extension.empty() ? "the file has no extension"
                                               : "files with extension " + extension + " are not read") +
                                "; convert the mesh to .obj, .ply, .stl or .off");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "adapters/io/polygon_soup.hpp"
 #include "adapters/io/read_options.hpp"
@@ -14,5 +15,9 @@ namespace multimesh::io {
 /// other
 ///   extension.
 PolygonSoup read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// The same from bytes in memory, not gzipped. `path` is what messages name, and its extension the format.
+PolygonSoup parse_mesh(std::string_view bytes, const std::filesystem::path& path,
+                       const ReadOptions& options = {});
 
 }  // namespace multimesh::io

@@ -18,7 +18,8 @@ class OffParser {
   PolygonSoup parse() {
     const std::size_t vertex_count = header();
     const std::size_t face_count = words_.count("faces", 2);
-    words_.integer("the number of edges");
+    // The number of edges; some leave it out, and none needs it.
+    if (words_left_on_line() != 0) words_.integer("the number of edges");
     words_.check_count(vertex_count, "vertices", 6);
     if (face_count == 0) words_.fail("the file has no face; give a surface");
     for (std::size_t i = 0; i < vertex_count; ++i) vertex();

@@ -59,6 +59,11 @@ bool is_surface(std::string_view extension) {
   return extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off";
 }
 
+ReadOptions with_lines(ReadOptions options) {
+  options.keep_lines = true;
+  return options;
+}
+
 [[noreturn]] void fail_unknown(std::string_view bytes, const std::string& file,
                                const std::string& extension) {
   refuse_foreign(bytes, file);
@@ -81,17 +86,18 @@ bool is_surface(std::string_view extension) {
 SimplexSoup read_simplices(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string extension = format_extension(path);
   if (extension == ".node" || extension == ".ele") return read_tetgen_pair(path, options);
-  if (is_surface(extension)) {
-    ReadOptions with_lines = options;
-    with_lines.keep_lines = true;
-    return to_simplices(read_mesh(path, with_lines), path, options);
-  }
-  const UnpackedBytes bytes(path);
-  const Parser parse = parser_of(bytes.view());
-  if (parse == nullptr) fail_unknown(bytes.view(), path.string(), extension);
-  std::string_view view = bytes.view();
-  if (view.starts_with("\xEF\xBB\xBF")) view.remove_prefix(3);
-  return parse(view, path, options);
+  if (is_surface(extension)) return to_simplices(read_mesh(path, with_lines(options)), path, options);
+  return parse_simplices(UnpackedBytes(path).view(), path, options);
+}
+
+SimplexSoup parse_simplices(std::string_view bytes, const std::filesystem::path& path,
+                            const ReadOptions& options) {
+  const std::string extension = format_extension(path);
+  if (is_surface(extension)) return to_simplices(parse_mesh(bytes, path, with_lines(options)), path, options);
+  const Parser parse = parser_of(bytes);
+  if (parse == nullptr) fail_unknown(bytes, path.string(), extension);
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  return parse(bytes, path, options);
 }
 
 }  // namespace multimesh::io

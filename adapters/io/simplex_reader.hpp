@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "adapters/io/read_options.hpp"
 #include "adapters/io/simplex_soup.hpp"
@@ -17,5 +18,10 @@ namespace multimesh::io {
 /// naming file and line or element, and what to do: for what is missing, truncated, foreign
 ///   or damaged, coordinates that are not finite, volumes other than tetrahedra, files without simplices.
 SimplexSoup read_simplices(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// The same from bytes in memory, not gzipped; TetGen's pairs of files cannot be read so. `path` is what
+/// messages name, and its extension the format where the content does not say it.
+SimplexSoup parse_simplices(std::string_view bytes, const std::filesystem::path& path,
+                            const ReadOptions& options = {});
 
 }  // namespace multimesh::io

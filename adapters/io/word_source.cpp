@@ -24,11 +24,12 @@ bool WordSource::next(std::string_view& word) {
 }
 
 std::string_view WordSource::peek() {
-  skip_blanks();
-  const std::size_t begin = at_;
+  // The blanks before it are not taken either: binary data may begin with what looks like them.
+  const std::size_t at = at_, line = line_;
   std::string_view word;
   next(word);
-  at_ = begin;
+  at_ = at;
+  line_ = line;
   return word;
 }
 

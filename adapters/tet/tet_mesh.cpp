@@ -175,11 +175,24 @@ void TetMesh::set_locked(Index v, bool on) {
 }
 
 bool TetMesh::has_link_around(LinkSet links, int j, Dart d, int k) const {
-  const Links& l = links_[links];
-  if (j < 3 && k == 0) return l.table->around(at(code(d), 0)) > 0;
-  if (j < 3 && k == 1 && (l.table->around(at(code(d), 0)) == 0 || l.table->around(at(code(d), 1)) == 0))
-    return false;
-  return Mesh::has_link_around(links, j, d, k);
+  if (!may_have_link_around(links, d, k)) return false;
+  return (j < 3 && k == 0) || Mesh::has_link_around(links, j, d, k);
+}
+
+// By the numbers of linked simplices around the vertices.
+bool TetMesh::may_have_link_around(LinkSet links, Dart d, int k) const {
+  const auto& table = links_[links].table;
+  for (int i = 0; table && i <= k; ++i)
+    if (table->around(at(code(d), i)) == 0) return false;
+  return true;
+}
+
+bool TetMesh::may_have_link_in_facet(LinkSet links, Dart d) const {
+  const auto& table = links_[links].table;
+  if (!table) return true;
+  int n = 0;
+  for (const Index v : tets_[tet(d)].v) n += table->around(v) > 0;
+  return n > table->k();
 }
 
 // --- containment maps ----------------------------------------------------------------------------------

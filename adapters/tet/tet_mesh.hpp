@@ -60,6 +60,8 @@ class TetMesh final : public Mesh {
   /// Outside of transactions: it is not journaled.
   void set_locked(Index v, bool on);
   bool has_link_around(LinkSet links, int j, Dart d, int k) const override;
+  bool may_have_link_around(LinkSet links, Dart d, int k) const override;
+  bool may_have_link_in_facet(LinkSet links, Dart d) const override;
 
   // --- local operations
   bool link_condition(Dart e) const override;
@@ -217,7 +219,8 @@ class TetMesh final : public Mesh {
   void glue_faces();
   void glue_pair(std::uint32_t side, std::uint32_t other);
   void name_vertices();
-  void refuse_scattered_stars() const;
+  void refuse_singular_vertices() const;
+  const char* star_fault(Index v, Index tets_around) const;
 
   // journaled writes
   void log(Word word, std::uint32_t index, std::uint32_t old, LinkSet column = 0) {
@@ -263,7 +266,8 @@ class TetMesh final : public Mesh {
   std::vector<Tet> tets_;
   std::vector<std::uint32_t> vertex_tet_;  // a dart at the vertex, or no_dart's code
   std::vector<std::uint8_t> flags_;
-  std::vector<Index> free_tets_, free_vertices_;
+  std::vector<Index> free_tets_, free_vertices_;    // to be used again
+  std::vector<Index> freed_tets_, freed_vertices_;  // the same, once the journal is forgotten
   Properties vertex_properties_, tet_properties_;
   std::vector<std::unique_ptr<SimplexPropertyBase>> simplex_properties_;
   std::vector<Anchor> anchors_;
@@ -271,7 +275,6 @@ class TetMesh final : public Mesh {
   std::vector<Links> links_;
 
   std::vector<Entry> log_;
-  std::vector<Tet> old_tets_;
   std::vector<TableEntry> old_numbers_;
 
   // Scratch. A tetrahedron or vertex is marked if its stamp is that of the search.

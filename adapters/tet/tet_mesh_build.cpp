@@ -51,7 +51,7 @@ TetMesh::TetMesh(const FacetList& tets) : Mesh(3) {
   }
   glue_faces();
   name_vertices();
-  refuse_scattered_stars();
+  refuse_singular_vertices();
 }
 
 // Faces are sorted into buckets by their least vertex; in a bucket, by the other two.
@@ -121,17 +121,13 @@ void TetMesh::name_vertices() {
     }
 }
 
-// The tetrahedra around each vertex must hang together by faces at it.
-void TetMesh::refuse_scattered_stars() const {
+void TetMesh::refuse_singular_vertices() const {
   std::vector<Index> around(flags_.size(), 0);
   for (const Tet& t : tets_)
     for (const Index v : t.v) ++around[v];
-  for (Index v = 0; v < around.size(); ++v) {
-    if (around[v] == 0) continue;
-    vertex_star(vertex_tet_[v], star_);
-    if (star_.size() != around[v])
-      throw InputError("vertex " + std::to_string(v) + " joins parts that share no face there" + remedy);
-  }
+  for (Index v = 0; v < around.size(); ++v)
+    if (const char* fault = around[v] > 0 ? star_fault(v, around[v]) : nullptr)
+      throw InputError("vertex " + std::to_string(v) + " " + fault + remedy);
 }
 
 }  // namespace multimesh::tet

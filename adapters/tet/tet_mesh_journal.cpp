@@ -50,17 +50,14 @@ void TetMesh::resize_tets(std::size_t n) {
     if (l.used && !l.table) l.facet_plus_one.resize(n, 0);
 }
 
-// Tetrahedra like others, properties included. What dead ones held must come back, too: it may be restored
-// further by what was written before.
+// Tetrahedra like others, properties included. Slots that were freed since the last forget() wait: what they
+// held, and what attributes have noted about them, may come back.
 void TetMesh::new_tets(const std::vector<std::uint32_t>& like, std::vector<Index>& out) {
   out.clear();
   while (out.size() < like.size() && !free_tets_.empty()) {
-    const Index t = free_tets_.back();
+    out.push_back(free_tets_.back());
     free_tets_.pop_back();
-    protect(3, t);  // freed in this transaction, it may come back
-    old_tets_.push_back(tets_[t]);
-    log(Word::took_tet, t, 0);
-    out.push_back(t);
+    log(Word::took_tet, out.back(), 0);
   }
   if (const std::size_t more = like.size() - out.size(); more > 0) {
     const auto first = static_cast<Index>(tets_.size());
@@ -81,7 +78,6 @@ Index TetMesh::new_vertex() {
     free_vertices_.pop_back();
     log(Word::took_vertex, v, 0);
     set_flags(v, 0);
-    protect(0, v);  // as for tetrahedra
     for (const auto& p : vertex_properties_) p->reset(v);
   } else {
     log(Word::grew_vertices, v, 0);
@@ -92,14 +88,14 @@ Index TetMesh::new_vertex() {
 
 void TetMesh::kill_tet(Index t) {
   set_corner(t, 0, no_index);
-  free_tets_.push_back(t);
+  freed_tets_.push_back(t);
   log(Word::freed_tet, t, 0);
 }
 
 void TetMesh::kill_vertex(Index v) {
   set_flags(v, dead);
   set_vertex_tet(v, code(no_dart));
-  free_vertices_.push_back(v);
+  freed_vertices_.push_back(v);
   log(Word::freed_vertex, v, 0);
 }
 
@@ -114,7 +110,10 @@ void TetMesh::protect(int k, Index s) {
 
 void TetMesh::forget() {
   log_.clear();
-  old_tets_.clear();
+  free_tets_.insert(free_tets_.end(), freed_tets_.begin(), freed_tets_.end());
+  free_vertices_.insert(free_vertices_.end(), freed_vertices_.begin(), freed_vertices_.end());
+  freed_tets_.clear();
+  freed_vertices_.clear();
   old_numbers_.clear();
   for (const auto& p : vertex_properties_) p->forget();
   for (const auto& p : tet_properties_) p->forget();
@@ -163,15 +162,14 @@ void TetMesh::undo(const Entry& e) {
       tet_properties_[e.old]->restore(e.index);
       break;
     case Word::took_tet:
-      tets_[e.index] = old_tets_.back();
-      old_tets_.pop_back();
+      tets_[e.index].v[0] = no_index;
       free_tets_.push_back(e.index);
       break;
     case Word::grew_tets:
       resize_tets(e.index);
       break;
     case Word::freed_tet:
-      free_tets_.pop_back();
+      freed_tets_.pop_back();
       break;
     case Word::took_vertex:
       free_vertices_.push_back(e.index);
@@ -180,7 +178,7 @@ void TetMesh::undo(const Entry& e) {
       resize_vertices(e.index);
       break;
     case Word::freed_vertex:
-      free_vertices_.pop_back();
+      freed_vertices_.pop_back();
       break;
   }
 }

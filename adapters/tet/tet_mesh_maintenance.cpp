@@ -2,6 +2,7 @@
 // Compaction, and everything that can be wrong with the connectivity.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "adapters/tet/codes.hpp"
 #include "adapters/tet/tet_mesh.hpp"
@@ -86,6 +87,24 @@ Compaction TetMesh::compact() {
   return moved;
 }
 
+// The link of a vertex, a surface without pinches if the edges have single rings, must be a sphere or a disk:
+// of connected surfaces only these have the Euler characteristic 2 without boundary, and 1 with one.
+const char* TetMesh::star_fault(Index v, Index tets_around) const {
+  vertex_star(vertex_tet_[v], star_);
+  if (star_.size() != tets_around) return "joins parts that share no face there";
+  const std::uint32_t search = next_search(vertex_stamp_, vertex_search_, 1);
+  long vertices = 0, rim = 0;
+  for (const std::uint32_t t : star_)
+    for (int i = 1; i < 4; ++i) {
+      std::uint32_t& stamp = vertex_stamp_[at(t, i)];
+      vertices += std::exchange(stamp, search) != search;
+      rim += across(t, i) == no_glue;
+    }
+  const auto triangles = static_cast<long>(star_.size());
+  const long euler = vertices - (3 * triangles + rim) / 2 + triangles;
+  return euler == (rim > 0 ? 1 : 2) ? nullptr : "has a link that is neither a sphere nor a disk";
+}
+
 void TetMesh::check(std::vector<std::string>& problems) const {
   const auto report = [&](const char* what, Index i, const std::string& fault) {
     problems.push_back(std::string(what) + " " + std::to_string(i) + ": " + fault);
@@ -141,8 +160,7 @@ void TetMesh::check(std::vector<std::string>& problems) const {
       report("vertex", v, "is not in the tetrahedron that it names");
       continue;
     }
-    vertex_star(d, star_);
-    if (star_.size() != around[v]) report("vertex", v, "joins parts that share no face there");
+    if (const char* fault = star_fault(v, around[v])) report("vertex", v, fault);
     if (rim[v] != bool(flags_[v] & in_boundary)) report("vertex", v, "is wrong about being in the boundary");
   }
   const auto free_is_right = [&](const std::vector<Index>& list, std::size_t slots, const auto& is_dead) {
@@ -155,9 +173,14 @@ void TetMesh::check(std::vector<std::string>& problems) const {
       if (!seen[i] && is_dead(i)) return false;
     return true;
   };
-  if (!free_is_right(free_tets_, tets_.size(), [&](Index t) { return !live_tet(t); }))
+  const auto both = [](std::vector<Index> list, const std::vector<Index>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+    return list;
+  };
+  if (!free_is_right(both(free_tets_, freed_tets_), tets_.size(), [&](Index t) { return !live_tet(t); }))
     problems.push_back("the list of free tetrahedra is not that of the dead ones");
-  if (!free_is_right(free_vertices_, flags_.size(), [&](Index v) { return bool(flags_[v] & dead); }))
+  if (!free_is_right(both(free_vertices_, freed_vertices_), flags_.size(),
+                     [&](Index v) { return bool(flags_[v] & dead); }))
     problems.push_back("the list of free vertices is not that of the dead ones");
 }
 

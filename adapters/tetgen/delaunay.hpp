@@ -26,11 +26,11 @@ struct DelaunayMesh : TetrahedraList {
 };
 
 /// Delaunay tetrahedralization of the points in a box. It depends on the input only, and runs in this
-/// process, one call at a time: TetGen is not thread-safe, and calls from other threads wait here. Cost: 1 s
-/// and 100 MB per 100 000 points at the most; without a grid, 0 points give the unit cube. \throw InputError
-/// if a coordinate is not finite (naming the point), if the points are flat and box_margin is 0, or extend
-/// over less than 1e-40 or more than 1e40, or are too many, the grid's among them. \throw UsageError if an
-/// option is out of its range
+/// process, one call at a time: TetGen is not thread-safe, and calls from other threads wait here. Cost: 10
+/// µs per random point, 30 on a grid, where the predicates are exact; 1 KB. Without points the box is the
+/// unit cube. \throw InputError if a coordinate is not finite (naming the point), if the points are flat and
+/// box_margin is 0, or extend over less than 1e-40 or more than 1e40, or are too many, the grid's among them.
+/// \throw UsageError if an option is out of its range
 DelaunayMesh delaunay(std::span<const Point> points, const DelaunayOptions& options = {});
 
 }  // namespace multimesh::tetgen

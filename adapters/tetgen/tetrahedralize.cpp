@@ -90,10 +90,10 @@ struct Surface {
     throw WorkerError(error.reason(),
                       std::string(error.what()) + "; no two triangles were found to intersect");
   const Point& near = surface.points[surface.corners[3 * pairs[0][0]]];
+  const auto shown = [](double x) { return number(x, std::chars_format::general); };
   throw InputError("the surface intersects itself: triangles " + std::to_string(pairs[0][0]) + " and " +
                    std::to_string(pairs[0][1]) + (pairs.size() > 1 ? ", among others," : "") + " near (" +
-                   std::to_string(near[0]) + ", " + std::to_string(near[1]) + ", " + std::to_string(near[2]) +
-                   "); " + error.what());
+                   shown(near[0]) + ", " + shown(near[1]) + ", " + shown(near[2]) + "); " + error.what());
 }
 
 bool is_kept(int winding, Keep keep) {

@@ -81,7 +81,9 @@ FileDescriptor write_request(RequestHeader header, std::span<const Point> points
   using How = WorkerEnd::How;
   const std::string log = quoted(end.log);
   if (end.how == How::timed_out)
-    throw WorkerError(Reason::time_out, "TetGen did not end within the time limit" + log);
+    throw WorkerError(
+        Reason::time_out,
+        "TetGen did not end within the time limit, which may be too short for this surface" + log);
   const Outcome outcome = reply ? reply->outcome : Outcome::done;
   if (outcome == Outcome::out_of_memory || (outcome == Outcome::stopped && reply->detail == 1))
     throw WorkerError(Reason::memory, "TetGen ran out of memory" + log);

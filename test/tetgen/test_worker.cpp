@@ -143,7 +143,7 @@ TEST(Worker, AMemoryLimitEndsInAnError) {
   GTEST_SKIP() << "AddressSanitizer needs a large address space";
 #endif
   const std::string message = expect_failure(Reason::memory, sphere(1, 2),
-                                             {.max_volume = 1e-6, .memory_limit = std::uint64_t{60} << 20});
+                                             {.max_volume = 1e-6, .memory_limit = std::uint64_t{30} << 20});
   EXPECT_TRUE(contains(message, "memory")) << message;
 }
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "adapters/io/output_buffer.hpp"
+#include "adapters/io/simplex_soup.hpp"
+
+namespace multimesh::io {
+
+/// Gmsh's types of the simplices, by dimension.
+constexpr std::int32_t msh_types[4] = {15, 1, 2, 4};
+
+/// Numbers of a Gmsh file, as text or binary. The counterpart of MshSource.
+class MshSink {
+ public:
+  MshSink(OutputBuffer& out, bool binary) : out_(out), binary_(binary) {}
+
+  bool binary() const { return binary_; }
+  void text(std::string_view s) { out_.text(s); }
+  void text_number(std::uint64_t value) { out_.number(value); }
+
+  void integer(std::int32_t value) { put(value); }  ///< 4 bytes
+  void size(std::uint64_t value) { put(value); }    ///< 8 bytes
+  void real(double value) { put(value); }           ///< 8 bytes
+  /// Text only.
+  void end_line() {
+    if (!binary_) out_.character('\n');
+  }
+
+  void header(std::string_view version) {
+    out_.text("$MeshFormat\n");
+    out_.text(version);
+    out_.text(binary_ ? " 1 8\n" : " 0 8\n");
+    if (binary_) {
+      integer(1);  // shows the byte order
+      out_.character('\n');
+    }
+    out_.text("$EndMeshFormat\n");
+  }
+
+  void end_section(std::string_view name) {
+    if (binary_) out_.character('\n');
+    out_.text("$End");
+    out_.text(name);
+    out_.character('\n');
+  }
+
+  /// Names are text in binary files, too.
+  void physical_names(const SimplexSoup& soup) {
+    if (soup.groups.empty()) return;
+    out_.text("$PhysicalNames\n");
+    out_.number(soup.groups.size());
+    for (const SimplexSoup::Group& group : soup.groups) {
+      out_.character('\n');
+      out_.number(group.dimension);
+      out_.character(' ');
+      out_.number(group.tag);
+      out_.text(" \"");
+      for (const char c : group.name) out_.character(c == '"' || (c >= 0 && c < ' ') ? '_' : c);
+      out_.text("\"");
+    }
+    out_.text("\n$EndPhysicalNames\n");
+  }
+
+ private:
+  template <class T>
+  void put(T value) {
+    if (binary_) return out_.little_endian(value);
+    out_.number(value);
+    out_.character(' ');
+  }
+
+  OutputBuffer& out_;
+  bool binary_;
+};
+
+}  // namespace multimesh::io

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/io/simplex_writer.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "adapters/io/gunzip.hpp"
+#include "adapters/io/input_location.hpp"
+#include "adapters/io/obj_writer.hpp"
+#include "adapters/io/polygons_to_simplices.hpp"
+#include "adapters/io/simplex_format_writers.hpp"
+#include "multimesh/error.hpp"
+
+namespace multimesh::io {
+namespace {
+
+void check(const SimplexSoup& soup) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const SimplexSoup::Block& block = soup.simplices[k];
+    if (block.corners.size() != (k + 1) * block.size())
+      throw UsageError("a block of simplices has corners and tags of different numbers");
+    if (!block.flags.empty() && block.flags.size() != block.size())
+      throw UsageError("a block of simplices has flags and tags of different numbers");
+    if (std::ranges::any_of(block.corners, [&](auto v) { return v >= soup.points.size(); }))
+      throw UsageError("a simplex names a point that is not there");
+  }
+  if (!soup.point_tags.empty() && soup.point_tags.size() != soup.points.size())
+    throw UsageError("there are points and point tags of different numbers");
+}
+
+bool is_surface(const std::string& extension) {
+  return extension == ".stl" || extension == ".off" || extension == ".ply" || extension == ".obj";
+}
+
+bool any_tag(const SimplexSoup::Block& block) {
+  return std::ranges::any_of(block.tags, [](auto tag) { return tag != 0; });
+}
+
+/// What no surface format has.
+Lost lost_in_surface(const SimplexSoup& soup, bool has_edges) {
+  Lost lost;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count != 0) lost.push_back(std::to_string(count) + what);
+  };
+  add(soup.simplices[3].size(), " tetrahedra");
+  if (!has_edges) add(soup.simplices[1].size(), " edges");
+  add(soup.simplices[0].size(), " vertices");
+  if (any_tag(soup.simplices[2]) || (has_edges && any_tag(soup.simplices[1]))) lost.push_back("tags");
+  if (!soup.groups.empty()) lost.push_back("names of groups");
+  if (!soup.point_tags.empty()) lost.push_back("tags of points");
+  if (has_flags(soup)) lost.push_back("flags of simplices");
+  return lost;
+}
+
+Lost put_surface(OutputBuffer& out, const SimplexSoup& soup, const std::string& extension, bool binary,
+                 const std::string& file) {
+  if (extension == ".stl") put_stl(out, soup, binary, file);
+  if (extension == ".off") put_off(out, soup);
+  if (extension == ".ply") put_ply(out, soup, binary);
+  return lost_in_surface(soup, false);
+}
+
+Lost put_volume(OutputBuffer& out, const SimplexSoup& soup, const std::string& extension,
+                const SimplexWriteOptions& options, const std::string& file) {
+  Lost lost;
+  if (extension == ".mesh") put_medit(out, soup, lost);
+  if (extension == ".vtu") put_vtu(out, soup, options.binary, lost);
+  if (extension == ".msh" && options.msh_version == MshVersion::v2_2)
+    put_msh2(out, soup, options.binary, file, lost);
+  if (extension == ".msh" && options.msh_version == MshVersion::v4_1)
+    put_msh4(out, soup, options.binary, file, lost);
+  return lost;
+}
+
+Lost write_as_obj(const std::filesystem::path& path, const SimplexSoup& soup) {
+  write_obj(path, to_polygons(soup));
+  return lost_in_surface(soup, true);
+}
+
+/// Before anything is written.
+void check_dimension(const SimplexSoup& soup, const std::string& extension, const std::string& file) {
+  if (soup.dimension() < 0) fail_file(file, "there is nothing to write: the mesh has no simplex");
+  if (!is_surface(extension)) return;
+  const bool has_lines = extension == ".obj" && !soup.simplices[1].tags.empty();
+  if (soup.simplices[2].tags.empty() && !has_lines)
+    fail_file(file, "the format holds triangles, and the mesh has none; write it as .msh, .mesh or .vtu");
+  if (soup.points.size() > std::numeric_limits<std::int32_t>::max())
+    fail_file(file, "the format holds at most 2147483647 points; write it as .msh or .vtu");
+}
+
+}  // namespace
+
+std::vector<std::string> write_simplices(const std::filesystem::path& path, const SimplexSoup& soup,
+                                         const SimplexWriteOptions& options) {
+  check(soup);
+  const std::string file = path.string(), extension = format_extension(path);
+  const bool is_known =
+      is_surface(extension) || extension == ".msh" || extension == ".mesh" || extension == ".vtu";
+  if (!is_known || path.extension() == ".gz")
+    fail_file(file,
+              "files of this extension are not written; use .msh, .mesh, .vtu, .obj, .off, .ply or .stl");
+  check_dimension(soup, extension, file);
+  Lost lost;
+  if (extension == ".obj") {
+    lost = write_as_obj(path, soup);
+  } else {
+    AtomicFile output(path);
+    OutputBuffer out(output);
+    lost = is_surface(extension) ? put_surface(out, soup, extension, options.binary, file)
+                                 : put_volume(out, soup, extension, options, file);
+    out.flush();
+    output.commit();
+  }
+  if (!soup.periodic.empty()) lost.push_back("periodic links");
+  std::vector<std::string> warnings;
+  for (const std::string& what : lost) warnings.push_back(file + ": " + what + " are not written");
+  return warnings;
+}
+
+}  // namespace multimesh::io

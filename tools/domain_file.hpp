@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/algorithms/tet_domain.hpp"
+#include "multimesh/algorithms/textured_triangles.hpp"
+
+namespace multimesh::tools {
+
+/// A file of tagged simplices, whatever their dimension.
+struct DomainFile {
+  std::filesystem::path path;
+  io::SimplexSoup soup;
+  std::vector<std::string> warnings;
+};
+
+/// Whether the extension is that of a format that holds surfaces only, perhaps with texture coordinates.
+bool is_surface_format(const std::filesystem::path& path);
+
+/// \throw InputError as io::read_simplices does
+DomainFile read_domain_file(const std::filesystem::path& path);
+
+/// The tetrahedra and all that is listed inside them; points that are listed are fixed. The lists of the soup
+/// are moved. \throw InputError if it has no tetrahedron
+TaggedTetrahedra take_tetrahedra(DomainFile& file);
+/// The triangles; the lists of the soup are copied.
+TexturedTriangles triangles_of(const DomainFile& file);
+
+/// What was odd about the input, in sentences.
+std::vector<std::string> warnings_of(const TetDomainReport& report);
+
+struct DomainWriteOptions {
+  bool ascii = false;
+  bool msh_2 = false;
+};
+
+/// Writes the domain with the names of the groups; what the format has no room for is told in `warnings`.
+/// \throw InputError
+void write_domain(const std::filesystem::path& path, const TetDomain& domain,
+                  const std::vector<io::SimplexSoup::Group>& groups, const DomainWriteOptions& options,
+                  std::vector<std::string>& warnings);
+
+}  // namespace multimesh::tools

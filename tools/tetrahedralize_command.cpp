@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "multimesh/error.hpp"
+#include "tools/command.hpp"
+#include "tools/domain_file.hpp"
+#include "tools/domain_json.hpp"
+#include "tools/output_check.hpp"
+#ifdef MULTIMESH_WITH_TETGEN
+#include "adapters/tetgen/background_points.hpp"
+#include "adapters/tetgen/tetrahedralize.hpp"
+#include "adapters/tetgen/worker_error.hpp"
+#endif
+
+namespace multimesh::tools {
+
+#ifdef MULTIMESH_WITH_TETGEN
+
+namespace {
+
+struct TetrahedralizeArguments {
+  std::string input, output;
+  double feature_angle = 0, max_volume = 0, length = 0, relative_length = 0, ratio = 0, dihedral = 0;
+  double minutes = 10;
+  std::string keep = "winding";
+  bool split_surface = false, ascii = false, msh_2 = false, json = false;
+};
+
+constexpr const char* keep_names[] = {"winding", "even-odd", "all"};
+
+/// The triangles as one vertex per place: equal points are one.
+FacetList joined_triangles(const io::SimplexSoup& soup, std::vector<std::string>& warnings) {
+  const std::vector<Index> first = tetgen::first_equal(soup.points);
+  FacetList list{2, static_cast<Index>(soup.points.size()), {}};
+  std::size_t joined = 0;
+  for (Index i = 0; i < first.size(); ++i) joined += first[i] != i;
+  if (joined > 0)
+    warnings.push_back(std::to_string(joined) + " points are equal to another one; joined with it");
+  for (const Index v : soup.simplices[2].corners) list.corners.push_back(first[v]);
+  return list;
+}
+
+tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a, const io::SimplexSoup& soup) {
+  tetgen::TetrahedralizeOptions o;
+  o.keep = a.keep == "all"       ? tetgen::Keep::all
+           : a.keep == "winding" ? tetgen::Keep::winding
+                                 : tetgen::Keep::even_odd;
+  o.max_volume = a.max_volume;
+  o.edge_length = a.length;
+  if (a.relative_length > 0) {
+    std::array<double, 3> low = soup.points.front(), high = low;
+    for (const auto& p : soup.points)
+      for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
+    o.edge_length = a.relative_length * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  }
+  o.radius_edge_ratio = a.ratio;
+  o.min_dihedral = a.dihedral;
+  o.split_surface = a.split_surface;
+  o.time_limit = std::chrono::duration<double>(60 * a.minutes);
+  return o;
+}
+
+TaggedTetrahedra fill(const TetrahedralizeArguments& a, DomainFile& file) {
+  const io::SimplexSoup& soup = file.soup;
+  if (soup.simplices[2].size() == 0) throw InputError(a.input + ": has no triangle");
+  const FacetList triangles = joined_triangles(soup, file.warnings);
+  tetgen::Tetrahedralization filled = tetgen::tetrahedralize(soup.points, triangles, tetgen_options(a, soup));
+  TaggedTetrahedra t;
+  t.points = std::move(filled.points);
+  t.tets = std::move(filled.tets);
+  for (const Index region : filled.region)
+    t.regions.push_back(static_cast<TaggedTetrahedra::Tag>(region) + 1);
+  for (const tetgen::SurfaceFace& f : filled.faces) {
+    t.triangles.corners.insert(t.triangles.corners.end(), f.corners.begin(), f.corners.end());
+    const auto tag = soup.simplices[2].tags[f.triangle];
+    t.patches.push_back(tag == 0 ? 1 : tag);
+  }
+  t.edges.corners = soup.simplices[1].corners;
+  t.edge_tags = soup.simplices[1].tags;
+  t.triangles.vertices = t.edges.vertices = static_cast<Index>(t.points.size());
+  return t;
+}
+
+void run(const TetrahedralizeArguments& a) {
+  check_output_path(a.output, {a.input});
+  DomainFile file = read_domain_file(a.input);
+  TetDomainOptions options;
+  if (a.feature_angle > 0) options.feature_angle = a.feature_angle * M_PI / 180;
+  const TaggedTetrahedra filled = [&] {
+    try {
+      return fill(a, file);
+    } catch (const tetgen::WorkerError& e) {
+      throw InputError(a.input + ": " + e.what());
+    } catch (const InputError& e) {
+      throw InputError(a.input + ": " + e.what());
+    }
+  }();
+  const TetDomain domain(filled, options);
+  for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
+  write_domain(a.output, domain, file.soup.groups, {a.ascii, a.msh_2}, file.warnings);
+  Json j = to_json(report(domain));
+  if (a.json) {
+    j["warnings"] = file.warnings;
+    std::cout << to_text(j);
+  } else {
+    std::cout << a.output << '\n';
+    print_domain(j);
+    for (const std::string& w : file.warnings) std::cerr << "warning: " << w << '\n';
+  }
+}
+
+}  // namespace
+
+void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("tetrahedralize", "Fills a closed surface with tetrahedra, by TetGen.");
+  auto a = std::make_shared<TetrahedralizeArguments>();
+  command->add_option("IN", a->input, "closed surface: OBJ, STL, OFF, PLY, MSH, MEDIT, VTU")->required();
+  command->add_option("-o,--output", a->output, "MSH, MEDIT (.mesh) or VTU file")->required();
+  command
+      ->add_option("--feature-angle", a->feature_angle,
+                   "edges at which the surface turns by at least this become curves; degrees in (0, 180)")
+      ->check(CLI::Range(1e-6, 180.0));
+  auto* length = command->add_option("--edge-length", a->length, "bound of the edges, as a volume; a length")
+                     ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--relative-edge-length", a->relative_length,
+                   "the same, relative to the bounding box's diagonal")
+      ->check(CLI::PositiveNumber)
+      ->excludes(length);
+  command->add_option("--max-volume", a->max_volume, "bound of each tetrahedron's volume")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--radius-edge-ratio", a->ratio, "quality: circumradius by shortest edge, 2 is usual")
+      ->check(CLI::Range(1.1, 1e6));
+  command
+      ->add_option("--min-dihedral", a->dihedral,
+                   "quality: dihedral angle that is aimed at; degrees, at most 25")
+      ->check(CLI::Range(0.0, 25.0));
+  command
+      ->add_option("--keep", a->keep, "regions to keep: winding number not 0, every other one, or all inside")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(keep_names), std::end(keep_names))))
+      ->capture_default_str();
+  command->add_flag("--split-surface", a->split_surface, "new points may be put on the surface");
+  command->add_option("--time-limit", a->minutes, "minutes")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--ascii", a->ascii, "text instead of binary, where the format has both");
+  command->add_flag("--msh2", a->msh_2, "MSH 2.2 instead of 4.1");
+  command->add_flag("--json", a->json, "print a report as JSON");
+  command->footer(
+      "The surface, with its tags (1 if it has none), and sharp curves are written as triangles and edges of "
+      "the\n"
+      "same file. TetGen is under the AGPL-3 and runs as a program of its own. A surface that is open, not\n"
+      "manifold or intersects itself is refused.");
+  command->callback([a, &exit_code] {
+    run(*a);
+    exit_code = done;
+  });
+}
+
+#else
+
+void add_tetrahedralize_command(CLI::App& app, int&) {
+  auto* command =
+      app.add_subcommand("tetrahedralize", "Not in this build: configure with -DMULTIMESH_WITH_TETGEN=ON.");
+  command->allow_extras();
+  command->callback(
+      [] { throw InputError("tetrahedralize: this build has no TetGen (-DMULTIMESH_WITH_TETGEN=ON)"); });
+}
+
+#endif
+
+}  // namespace multimesh::tools

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+#include <memory>
+
+#include "multimesh/error.hpp"
+#include "multimesh/validate.hpp"
+#include "tools/command.hpp"
+#include "tools/domain_file.hpp"
+#include "tools/domain_json.hpp"
+#include "tools/surface_file.hpp"
+
+namespace multimesh::tools {
+
+namespace {
+
+struct ValidateArguments {
+  std::string input;
+  bool json = false;
+};
+
+/// Facts to know, and problems, which make the file invalid.
+struct Findings {
+  std::vector<std::string> facts, problems;
+
+  void add(std::size_t n, const char* what) {
+    if (n > 0) problems.push_back(std::to_string(n) + " " + what);
+  }
+  void add_tree(const MultiMesh& tree) {
+    for (const std::string& p : validate(tree)) problems.push_back("internal: " + p);
+  }
+};
+
+/// Triangles of no area, by their positions.
+std::size_t count_flat(const TexturedTriangles& t) {
+  std::size_t flat = 0;
+  for (const auto& c : t.triangles) {
+    const auto p = [&](std::size_t i) { return t.positions[static_cast<std::size_t>(c[i].position)]; };
+    const OpenMesh::Vec3d normal = (p(1) - p(0)) % (p(2) - p(0));
+    flat += normal == OpenMesh::Vec3d(0, 0, 0);
+  }
+  return flat;
+}
+
+Findings examine(const TexturedTriangles& input, std::vector<std::string> warnings) {
+  Findings f{std::move(warnings), {}};
+  const TexturedSurface surface(input);
+  const ManifoldReport m = report_manifoldness(input, surface);
+  f.add(m.edges_with_three_or_more, "edges have three or more triangles");
+  f.add(m.inconsistent_edges, "edges have two triangles of opposite orientations");
+  f.add(m.cut_vertices, "copies of vertices are needed to make it manifold");
+  f.add(count_flat(input), "triangles have no area");
+  f.add_tree(surface.tree());
+  const MeshReport r = report(surface.tree().mesh(NodeId::root));
+  f.facts.push_back(r.boundary == 0 ? "the surface is closed"
+                                    : "the surface has " + std::to_string(r.boundary) + " boundary loops");
+  return f;
+}
+
+Findings examine(DomainFile& file) {
+  Findings f{std::move(file.warnings), {}};
+  const TetDomain domain(take_tetrahedra(file));
+  const TetDomainReport& r = domain.report();
+  f.add(r.copied_vertices, "copies of points are needed to make it manifold");
+  f.add(r.reversed_tets, "tetrahedra are oriented against the others, or have negative volume");
+  f.add(r.inverted_tets, "tetrahedra have no or negative volume when oriented like the others");
+  f.add(r.missing_triangles, "listed triangles are no face of a tetrahedron");
+  f.add(r.missing_edges, "listed edges are no edge of a tetrahedron");
+  f.add_tree(domain.tree());
+  return f;
+}
+
+Findings examine(const std::string& path) {
+  if (is_surface_format(path)) {
+    SurfaceFile file = read_surface(path);
+    return examine(file.input, std::move(file.warnings));
+  }
+  DomainFile file = read_domain_file(path);
+  if (file.soup.simplices[3].size() > 0) return examine(file);
+  if (file.soup.simplices[2].size() == 0) throw InputError(path + ": has neither tetrahedra nor triangles");
+  const TexturedTriangles triangles = triangles_of(file);
+  return examine(triangles, std::move(file.warnings));
+}
+
+void print(const std::string& path, const Findings& f) {
+  std::cout << path << ": " << (f.problems.empty() ? "valid" : "not valid") << '\n';
+  for (const std::string& p : f.problems) std::cout << "  problem: " << p << '\n';
+  for (const std::string& p : f.facts) std::cout << "  note: " << p << '\n';
+}
+
+}  // namespace
+
+void add_validate_command(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("validate", "Whether a file's meshes are manifold, oriented and consistent.");
+  auto a = std::make_shared<ValidateArguments>();
+  command->add_option("FILE", a->input, "OBJ, PLY, STL, OFF; MSH, MEDIT, VTU, VTK; also gzipped")->required();
+  command->add_flag("--json", a->json, "print JSON");
+  command->footer(
+      "Exit status 0: valid; 1: not, or it cannot be read. What is said to need copies or to be turned round "
+      "is\n"
+      "what the other commands do with it. Intersections of triangles are not looked for.");
+  command->callback([a, &exit_code] {
+    const Findings f = examine(a->input);
+    if (a->json) {
+      std::cout << to_text(Json{
+          {"file", a->input}, {"valid", f.problems.empty()}, {"problems", f.problems}, {"notes", f.facts}});
+    } else {
+      print(a->input, f);
+    }
+    if (!std::cout.flush()) throw InputError("standard output: writing failed");
+    exit_code = f.problems.empty() ? done : refused;
+  });
+}
+
+}  // namespace multimesh::tools
