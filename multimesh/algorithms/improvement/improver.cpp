@@ -108,7 +108,7 @@ bool Improver::improve_tet(Index t) {
 // --- trials --------------------------------------------------------------------------------------------
 
 // Runs `start`, which splits some edges, and improves what came of it. All is undone unless all of that is
-// better than `before` in the end.
+// better than `before` in the end, or good enough.
 template <class Start>
 bool Improver::attempt(double before, const Start& start) {
   Transaction trial = work_.operations().transaction();
@@ -117,7 +117,7 @@ bool Improver::attempt(double before, const Start& start) {
   trying_ = true;
   touched_.clear();
   fresh_.clear();
-  const bool better = start() && improve_touched(trial_gain * before);
+  const bool better = start() && improve_touched(std::max(trial_gain * before, limit_));
   trying_ = false;
   fresh_.clear();
   if (!better) {
@@ -226,11 +226,7 @@ std::size_t Improver::pass(int trial_splits) {
     const Index t = next.edge;
     if (!work_.is_live(t) || work_.held().is_locked_tet(t) || !(work_.quality_of(t) > limit_)) continue;
     if (improve_tet(t) || trial_splits == 0 || is_forced(t, *obstacles)) continue;
-    if (trial_splits == 1) {
-      try_splits(t);
-    } else {
-      try_refinement(t, trial_splits);
-    }
+    if (!try_splits(t) && trial_splits > 1) try_refinement(t, trial_splits);
   }
   return done_ - done;
 }
