@@ -120,7 +120,7 @@ TEST(Operations, GiveWhatWasPredicted) {
     if (c.kind == Kind::edge_swap) {
       EXPECT_GE(worst, c.after * (1 - 1e-9));  // others at the apex may be as bad
     } else {
-      EXPECT_DOUBLE_EQ(worst, c.after);
+      EXPECT_NEAR(worst, c.after, 1e-9 * c.after);
     }
   }
   EXPECT_GT(compared[static_cast<std::size_t>(Kind::split)], 10);
