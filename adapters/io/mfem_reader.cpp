@@ -79,7 +79,10 @@ class MfemParser {
 
   void vertices() {
     const std::size_t count = words_.count("vertices", 0);
-    if (words_.peek() == "nodes") fail_nodes();
+    if (words_.peek() == "nodes") {
+      words_.word("the section nodes");
+      fail_nodes();
+    }
     const std::int64_t dimension = words_.integer("the number of coordinates");
     if (dimension < 1 || dimension > 3) words_.fail("vertices must have 1 to 3 coordinates");
     words_.check_count(count, "vertices", 2 * static_cast<std::size_t>(dimension));

@@ -48,8 +48,10 @@ class VtuWriter {
     out_.text(type_name<T>());
     out_.text("\" Name=\"");
     out_.text(name);
-    out_.text("\" NumberOfComponents=\"");
-    out_.number(components);
+    if (components != 1) {  // scalars do without: meshio makes a column of a component
+      out_.text("\" NumberOfComponents=\"");
+      out_.number(components);
+    }
     out_.text(binary_ ? "\" format=\"binary\">\n" : "\" format=\"ascii\">\n");
     if (binary_)
       put_binary<T>(size, at);

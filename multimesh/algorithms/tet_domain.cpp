@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/tet_domain.hpp"
 
+#include <set>
 #include <string>
 
 #include "adapters/tet/codes.hpp"
@@ -88,12 +89,20 @@ TetDomain::Tag TetDomain::curve_tag(Index edge) const {
 
 namespace {
 
-/// Points of the output: one per vertex, but copies of one input point at the same place are one.
+/// Points of the output: one per vertex, but copies of one input point at the same place are one, unless a
+/// tetrahedron has come to join two of them: it could not be written.
 class OutputPoints {
  public:
   OutputPoints(const tet::TetMesh& mesh, const tet::Property<TetDomain::Point>& points,
                const tet::Property<Index>& copy_of, std::vector<std::array<double, 3>>& out)
-      : number_(mesh.capacity(0), no_index), points_(points), copy_of_(copy_of), out_(out) {}
+      : number_(mesh.capacity(0), no_index), points_(points), copy_of_(copy_of), out_(out) {
+    for (Index t = 0; t < mesh.capacity(3); ++t)
+      for (int i = 0; i < 4 && mesh.is_live(3, t); ++i)
+        for (int j = 0; j < i; ++j) {
+          const Index source = copy_of[mesh.corners(t)[i]];
+          if (source != 0 && source == copy_of[mesh.corners(t)[j]]) apart_.insert(source);
+        }
+  }
 
   Index operator()(Index v) {
     if (number_[v] == no_index) number_[v] = number(v);
@@ -103,7 +112,7 @@ class OutputPoints {
  private:
   Index number(Index v) {
     const TetDomain::Point& p = points_[v];
-    const Index source = copy_of_[v];
+    const Index source = apart_.contains(copy_of_[v]) ? 0 : copy_of_[v];
     for (const auto& [other, n] : copies_)
       if (source != 0 && copy_of_[other] == source && points_[other] == p) return n;
     const auto n = static_cast<Index>(out_.size());
@@ -113,7 +122,8 @@ class OutputPoints {
   }
 
   std::vector<Index> number_;
-  std::vector<std::pair<Index, Index>> copies_;
+  std::set<Index> apart_;                        // input points
+  std::vector<std::pair<Index, Index>> copies_;  // vertex, output point
   const tet::Property<TetDomain::Point>& points_;
   const tet::Property<Index>& copy_of_;
   std::vector<std::array<double, 3>>& out_;

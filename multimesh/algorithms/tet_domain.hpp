@@ -65,7 +65,8 @@ class TetDomain {
   ~TetDomain();
   TetDomain(TetDomain&&) noexcept;
 
-  /// The domain as it is now; copies of one input point are one again unless they have moved apart.
+  /// The domain as it is now; copies of one input point are one again unless they have moved apart, or a
+  /// tetrahedron joins them.
   /// Triangles: the whole surface with its patches, without the part of the boundary that carries the tag 0
   /// and was not in the input. Edges: all curves with their tags.
   TaggedTetrahedra tagged() const;

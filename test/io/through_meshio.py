@@ -36,10 +36,19 @@ def tags_of(mesh):
     return [numpy.zeros(len(block.data), dtype=numpy.int32) for block in mesh.cells]
 
 
-def split_by_tag(cells, tags):
-    """One block per tag, for version 4.1 takes the tag of the first cell for that of a whole block."""
-    blocks = [(c.type, c.data[t == tag], t[t == tag]) for c, t in zip(cells, tags) for tag in numpy.unique(t)]
-    return [(kind, data) for kind, data, _ in blocks], [t for _, _, t in blocks]
+def tetrahedra_by_tag(cells, tags):
+    """What meshio can write as version 4.1: one block per tag, for the first cell's tag counts for a block, and
+    no entity that has no point of its own."""
+    pairs = [(c.data, t) for c, t in zip(cells, tags) if c.type == "tetra"]
+    blocks = [(data[t == tag], t[t == tag]) for data, t in pairs for tag in numpy.unique(t)]
+    return [("tetra", data) for data, _ in blocks], [t for _, t in blocks]
+
+
+def dim_tags(point_count, cells, tags):
+    result = numpy.array([[3, tags[0][0]]] * point_count, dtype=numpy.int32)
+    for (_, data), t in zip(cells, tags):
+        result[data[:, -1], 1] = t
+    return result
 
 
 def convert(source, target, form):
@@ -51,10 +60,10 @@ def convert(source, target, form):
     else:
         cells = mesh.cells
         if file_format == "gmsh":
-            cells, tags = split_by_tag(cells, tags)
+            cells, tags = tetrahedra_by_tag(cells, tags)
     data, point_data = {}, {}
-    if file_format == "gmsh":  # it wants to know the entity of every point; any will do
-        point_data["gmsh:dim_tags"] = numpy.array([[3, tags[-1][0]]] * len(mesh.points), dtype=numpy.int32)
+    if file_format == "gmsh":
+        point_data["gmsh:dim_tags"] = dim_tags(len(mesh.points), cells, tags)
     if tags and file_format.startswith("gmsh"):
         data = {"gmsh:physical": tags, "gmsh:geometrical": tags}
     elif tags:

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adapters/openmesh/connectivity.hpp"
+#include "adapters/tet/tet_mesh.hpp"
+
+namespace multimesh {
+
+/// A column on the vertices of a mesh made by make_mesh, which owns it; it grows and is compacted with it.
+template <class T>
+std::vector<T>& add_vertex_values(Mesh& mesh, const std::string& name) {
+  if (auto* tets = dynamic_cast<tet::TetMesh*>(&mesh)) return tets->add_vertex_property<T>(name).values;
+  auto& om = dynamic_cast<openmesh::Connectivity&>(mesh).openmesh();
+  OpenMesh::VPropHandleT<T> handle;
+  om.add_property(handle, name);
+  return om.property(handle).data_vector();
+}
+
+/// \pre outside of transactions
+inline void lock_vertex(Mesh& mesh, Index v) {
+  if (auto* tets = dynamic_cast<tet::TetMesh*>(&mesh)) return tets->set_locked(v, true);
+  auto& om = dynamic_cast<openmesh::Connectivity&>(mesh).openmesh();
+  om.status(OpenMesh::VertexHandle(static_cast<int>(v))).set_locked(true);
+}
+
+/// The vertices of a facet in the order that gives its orientation, dimension + 1 of them.
+inline void oriented_corners(const Mesh& mesh, Index facet, Index* out) {
+  if (const auto* tets = dynamic_cast<const tet::TetMesh*>(&mesh)) {
+    const Index* corners = tets->corners(facet);
+    std::copy(corners, corners + 4, out);
+  } else {
+    mesh.vertices(mesh.dart_of(mesh.dimension(), facet), out);
+  }
+}
+
+}  // namespace multimesh

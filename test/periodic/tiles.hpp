@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "multimesh/algorithms/periodic.hpp"
+
+namespace multimesh::test {
+
+/// The unit square in n x m squares of two triangles; vertex (i,j) has the index i (m + 1) + j.
+PeriodicTile square_tile(Index n, Index m);
+/// The unit cube in n^3 cubes of six tetrahedra around their main diagonals (Kuhn); vertex (i,j,k) has the
+/// index (i (n + 1) + j) (n + 1) + k.
+PeriodicTile cube_tile(Index n);
+
+PeriodicOptions along(bool x, bool y, bool z, bool refine = false);
+
+/// What the InputError says, or an empty string if there is none.
+std::string refusal(const PeriodicTile& tile, const PeriodicOptions& options);
+
+/// Edges of the root that may be collapsed.
+std::size_t legal_edges(PeriodicDomain& domain);
+
+}  // namespace multimesh::test
