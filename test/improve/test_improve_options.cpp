@@ -89,6 +89,18 @@ TEST(ImproveOptions, LockedRegionsAreNotTouched) {
   EXPECT_EQ(kept.fault(domain), "");
 }
 
+TEST(ImproveOptions, KeepsRegionsAndTheBoundaryThatAreInNoSurface) {
+  Box box = make_box({.sheet = false, .curve = false, .squash = 0.9999});
+  box.input.triangles.corners.clear();
+  box.input.patches.clear();
+  TetDomain domain(box.input, {.boundary = false, .interfaces = false});
+  ASSERT_FALSE(domain.surface());
+  const Kept kept(domain);
+  const ImproveResult r = improve(domain, {.target_amips = 5, .max_passes = 3});
+  EXPECT_LT(r.after.max_amips, r.before.max_amips);
+  EXPECT_EQ(kept.fault(domain), "");
+}
+
 TEST(ImproveOptions, NoPassesMeansNoChange) {
   TetDomain domain(make_box({.squash = 0.999}).input);
   const TaggedTetrahedra before = domain.tagged();

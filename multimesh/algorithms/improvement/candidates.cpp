@@ -79,11 +79,6 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   best = {Kind::edge_swap, d, before, limit, Vec3::Zero(), 0, !ring_.closed};
 }
 
-bool Candidates::lengths_allow(Index a, Index b, const Demand& demand) const {
-  const double square = (point(a) - point(b)).squaredNorm();
-  return square >= demand.shortest * demand.shortest && square <= demand.longest * demand.longest;
-}
-
 // Where rounding takes the middle off the surface, faces around it that were coplanar are so no longer, and
 // may not be swapped any more: better not split at all there.
 bool Candidates::may_split_held(const Vec3& middle, HeldSplits splits) {
@@ -119,7 +114,7 @@ void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
   work_.read_ring(e, ring_);
   read_edge_state(ring_);
   const Vec3 &a = point(ring_.a), &b = point(ring_.b);
-  const Vec3 middle = a + (b - a) / 2;
+  const Vec3 middle = (a + b) / 2;  // rounded once
   if (edge_.locked) return refuse(Kind::split, Why::held);
   if ((b - a).norm() < 2 * demand.shortest) return refuse(Kind::split, Why::length);
   const double before = ring_quality(ring_);

@@ -75,7 +75,6 @@ class Candidates {
   double star_quality(const std::vector<Corners>& star) const;
   double fan_quality(const Ring& ring, std::size_t apex, double limit) const;
   double merged_quality(Index b, double limit) const;
-  bool lengths_allow(Index a, Index b, const Demand& demand) const;
   void read_opposite(const std::vector<Corners>& star);
   const Vec3& point(Index v) const { return work_.point(v); }
 

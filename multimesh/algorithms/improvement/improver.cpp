@@ -255,6 +255,7 @@ std::size_t Improver::sweep_edges(const Length& length, const Apply& apply) {
     for (const Index t : touched_) push(t);
   }
   trying_ = false;
+  fresh_.clear();
   return done_ - done;
 }
 
