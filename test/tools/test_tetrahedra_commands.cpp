@@ -146,6 +146,42 @@ TEST_F(TetrahedraCommands, LeavesTheInputAlone) {
   EXPECT_EQ(run({"tetrahedralize", "cube.obj", "-o", "x.txt"}).status, 1) << "no such format";
 }
 
+#ifdef MULTIMESH_WITH_IMPROVE
+
+TEST_F(TetrahedraCommands, ImprovesTetrahedraAndKeepsTheSurface) {
+  file("cube.obj", cube_obj);
+  ASSERT_EQ(run({"tetrahedralize", "cube.obj", "-o", "in.msh", "--split-surface", "--edge-length", "0.3",
+                 "--feature-angle", "40"})
+                .status,
+            0);
+  const Ended e = run({"improve", "in.msh", "-o", "out.msh", "--target-amips", "8", "--json", "report.json"});
+  ASSERT_EQ(e.status, 0) << e.err;
+  const Json r = json("report.json");
+  EXPECT_LE(r["after"]["max_amips"].get<double>(), r["before"]["max_amips"].get<double>());
+  EXPECT_EQ(r["target_reached"].get<bool>(), r["after"]["max_amips"].get<double>() <= 8) << r;
+  const Json in = info("in.msh"), out = info("out.msh");
+  const Json &before = in["meshes"], &after = out["meshes"];
+  EXPECT_EQ(after["quality"]["inverted_tetrahedra"], 0);
+  EXPECT_NEAR(after["regions"][0]["volume"].get<double>(), 1, 1e-12);
+  for (const char* key : {"components", "euler_characteristic", "boundary_loops", "genus"})
+    EXPECT_EQ(after["surface"][key], before["surface"][key]) << key;
+  for (const char* key : {"components", "end_points"}) EXPECT_EQ(after["curves"][key], before["curves"][key]);
+  EXPECT_EQ(run({"validate", "out.msh"}).status, 0);
+}
+
+TEST_F(TetrahedraCommands, ImproveRefusesInvertedTetrahedra) {
+  // Two tetrahedra on one side of their common face.
+  file("in.msh",
+       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 0 0 0.5\n"
+       "$EndNodes\n$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 4 2 1 1 1 3 2 5\n$EndElements\n");
+  const Ended e = run({"improve", "in.msh", "-o", "out.msh"});
+  EXPECT_EQ(e.status, 1);
+  EXPECT_TRUE(contains(e.err, "in.msh")) << e.err;
+  EXPECT_FALSE(exists("out.msh"));
+}
+
+#endif
+
 #endif
 
 }  // namespace
