@@ -5,6 +5,7 @@ set -euo pipefail
 
 packages=(cmake ninja-build g++ git ccache pkg-config
   libopenmesh-dev libeigen3-dev libembree-dev libpugixml-dev zlib1g-dev
+  libcgal-dev libgmp-dev libmpfr-dev
   libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
 
 # Tetrahedra (MULTIMESH_WITH_TETGEN). AGPL-3, unlike all the others.
@@ -12,10 +13,10 @@ packages+=(libtet1.5-dev)
 
 # HTML reports. NodeSource's nodejs brings an npm of its own, which Debian's npm conflicts with.
 command -v npm >/dev/null || packages+=(nodejs npm)
-# Their tests. Elsewhere, and on Ubuntu, where it is a snap, they are skipped without a Chromium.
-grep -qx 'ID=debian' /etc/os-release 2>/dev/null && packages+=(chromium fonts-dejavu-core)
-# Programs that the tests of file formats ask (40 MB); without them these tests are skipped.
-packages+=(gmsh python3-meshio)
+# What only tests ask: a browser (on Ubuntu it is a snap), other readers of mesh files (200 MB). Elsewhere those
+# tests are skipped without them.
+grep -qx 'ID=debian' /etc/os-release 2>/dev/null &&
+  packages+=(chromium fonts-dejavu-core gmsh python3-meshio)
 
 if ! command -v dpkg-query >/dev/null; then
   echo "setup: not a Debian system; provide the equivalents of: ${packages[*]}" >&2

@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   int exit_code = tools::done;
   tools::add_decimate_command(app, exit_code);
   tools::add_compare_command(app, exit_code);
+  tools::add_improve_command(app, exit_code);
   tools::add_info_command(app, exit_code);
   tools::add_tetrahedralize_command(app, exit_code);
   tools::add_validate_command(app, exit_code);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "multimesh/algorithms/tet_domain.hpp"
+
+namespace multimesh {
+
+/// How edges of the surface and of curves may be split, at their middle, rounded to doubles.
+enum class SurfaceSplits {
+  none,
+  exact,    ///< only where surface and curves stay the same sets of points, exactly
+  rounded,  ///< also where the rounding displaces them, by at most half an ulp of each coordinate, unless a
+            ///< face beside the edge is exactly coplanar with its neighbour
+};
+
+struct ImproveOptions {
+  /// Stop when no tetrahedron has an AMIPS energy above this. At least 3, that of the regular one.
+  double target_amips = 10;
+  /// Stop after this many passes over the tetrahedra above the target.
+  int max_passes = 10;
+
+  // --- sizes; lengths are those of the points
+  /// Edges longer than 4/3 of this are split, ones shorter than 4/5 collapsed, where quality allows it. 0: as
+  /// they are.
+  double edge_length = 0;
+  /// No edge is split that would leave halves shorter than this.
+  double min_edge_length = 0;
+
+  // --- what stays as it is, besides the places of surface and curves
+  SurfaceSplits surface_splits = SurfaceSplits::rounded;
+  std::vector<TetDomain::Tag> locked_regions = {};  ///< their tetrahedra are not touched
+
+  /// Called after each pass with the number of tetrahedra above the target; may throw to abandon the run: the
+  /// domain is a valid one then, as improved so far.
+  std::function<void(int pass, std::size_t above_target)> progress = {};
+};
+
+/// The AMIPS energies of a mesh.
+struct TetQuality {
+  std::size_t tets = 0, vertices = 0, above_target = 0;
+  double max_amips = 0, mean_amips = 0;
+};
+
+/// How often an operation was looked at, and what came of it.
+struct OperationCount {
+  std::string name;
+  std::size_t tried = 0, done = 0;
+  std::vector<std::pair<std::string, std::size_t>> refused;  ///< by reason
+};
+
+/// Why tetrahedra are left above the target: what they have in common, and what that allows at best.
+struct ImproveObstacle {
+  std::string reason;
+  std::size_t tets = 0;
+  double max_amips = 0;             ///< of these tetrahedra
+  double least_max_amips = 3;       ///< of any mesh of this domain; 3 if nothing is known
+  std::array<double, 3> example{};  ///< the centre of the worst of them
+};
+
+struct ImproveResult {
+  bool target_reached = false;
+  int passes = 0;
+  TetQuality before, after;
+  std::vector<OperationCount> operations;
+  std::vector<ImproveObstacle> obstacles;  ///< empty if the target is reached
+  /// No mesh of this domain with these surfaces and curves has a smaller max AMIPS, however it is refined: a
+  /// corner of the surface, or an angle between its faces, forbids it. 3 if nothing is known.
+  double least_max_amips = 3;
+  std::array<double, 3> least_max_amips_at{};  ///< the point that forbids it
+  double seconds = 0;                          ///< by the wall clock
+};
+
+/// Improves the tetrahedra of a domain, worst first, by swaps of edges and faces, collapses, moves of
+/// vertices and splits, until all have an AMIPS energy of at most the target. An operation is done only if
+/// the worst of the tetrahedra it replaces gets better. Topology of all meshes is kept. Surface and curves
+/// stay what they are as sets of points, exactly but for rounded splits: their vertices move only where they
+/// lie in exactly flat, or straight, surroundings; locked vertices never do. Volumes of regions are thus
+/// kept, too. All tetrahedra stay of positive orientation, exactly. Deterministic. Cost: some microseconds
+/// per candidate. \throw InputError naming a tetrahedron that is inverted or flat, and for options out of
+/// range; nothing was changed then. Source: the loop, Klingner and Shewchuk, Aggressive tetrahedral mesh
+/// improvement (2007); the energy, Fu, Liu, Guo (2015), as in Hu et al., Tetrahedral meshing in the wild
+/// (2018), section 3.3
+ImproveResult improve(TetDomain& domain, const ImproveOptions& options = {});
+
+}  // namespace multimesh

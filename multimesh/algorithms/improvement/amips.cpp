@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// With the regular tetrahedron of edge length 1, tr(J^T J) is half the sum of the squared edge lengths, and
+// det J is sqrt(2) times the determinant of the edge vectors at a corner; so the energy is N / D^(2/3) with
+//   N = 1/2 sum l^2,  D = sqrt(2) det(b-a, c-a, d-a).
+// Everything is divided by the longest edge at a first, so that nothing under- or overflows.
+#include "multimesh/algorithms/improvement/amips.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace multimesh::improvement {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Terms {
+  Vec3 u, v, w;   // b-a, c-a, d-a in units of `scale`
+  double scale;   // a power of two, so that scaling is exact
+  double n, det;  // N, and the determinant; of u, v, w
+
+  Terms(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) : u(b - a), v(c - a), w(d - a) {
+    const double longest =
+        std::max({u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff(), w.cwiseAbs().maxCoeff()});
+    scale = 1;
+    // Squares and cubes of numbers outside of this may leave the range of doubles.
+    if (!(longest > 0x1p-100 && longest < 0x1p100) && longest > 0 && std::isfinite(longest)) rescale(longest);
+    n = 0.5 * (u.squaredNorm() + v.squaredNorm() + w.squaredNorm() + (u - v).squaredNorm() +
+               (v - w).squaredNorm() + (w - u).squaredNorm());
+    det = u.cross(v).dot(w);
+  }
+
+  void rescale(double longest) {
+    const int e = std::ilogb(longest);
+    for (Vec3* x : {&u, &v, &w})
+      for (double& coordinate : *x) coordinate = std::scalbn(coordinate, -e);
+    scale = std::scalbn(1.0, e);
+  }
+};
+
+}  // namespace
+
+double cubed_amips(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Terms t(a, b, c, d);
+  if (!(t.det > 0)) return infinity;
+  return t.n * t.n * t.n / (2 * t.det * t.det);
+}
+
+double amips(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return std::cbrt(cubed_amips(a, b, c, d));
+}
+
+// d(det)/da = -(v x w + w x u + u x v) =: g, constant in a; d(N)/da = -(u + v + w), d2(N)/da2 = 3 I. With
+// f = N E, E = D^(-2/3):  grad E = -2/3 E g/det,  hess E = 10/9 E (g/det)(g/det)^T.
+AmipsDerivatives amips_derivatives(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Terms t(a, b, c, d);
+  AmipsDerivatives out;
+  out.value = infinity;
+  if (!(t.det > 0)) return out;
+  const double root = std::cbrt(std::numbers::sqrt2 * t.det);
+  const double e = 1 / (root * root);
+  if (!std::isfinite(t.n * e)) return out;
+  const Vec3 g = -(t.v.cross(t.w) + t.w.cross(t.u) + t.u.cross(t.v)) / t.det;
+  const Vec3 dn = -(t.u + t.v + t.w);
+  out.value = t.n * e;
+  out.gradient = e * (dn - (2.0 / 3) * t.n * g) / t.scale;
+  out.hessian = e / (t.scale * t.scale) *
+                (3 * Eigen::Matrix3d::Identity() - (2.0 / 3) * (dn * g.transpose() + g * dn.transpose()) +
+                 (10.0 / 9) * t.n * (g * g.transpose()));
+  return out;
+}
+
+}  // namespace multimesh::improvement

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/improvement/candidates.hpp"
+
+#include <algorithm>
+
+#include "adapters/predicates/orientation.hpp"
+
+namespace multimesh::improvement {
+
+namespace {
+
+constexpr std::size_t largest_ring = 12;  // of a swap; larger ones hardly ever have a good fan
+
+}  // namespace
+
+double Candidates::ring_quality(const Ring& ring) const {
+  double worst = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    worst = std::max(worst, work_.quality_of(Corners{ring.a, ring.b, ring.rim[i], ring.next(i)}));
+  return worst;
+}
+
+double Candidates::star_quality(const std::vector<Corners>& star) const {
+  double worst = 0;
+  for (const Corners& c : star) worst = std::max(worst, work_.quality_of(c));
+  return worst;
+}
+
+// --- edges ---------------------------------------------------------------------------------------------
+
+void Candidates::read_edge_state(const Ring& ring) {
+  const Held& held = work_.held();
+  edge_.curve = held.curve(ring.darts.front());
+  edge_.locked = false;
+  for (const Dart d : ring.darts) edge_.locked = edge_.locked || held.is_locked_tet(tet::TetMesh::tet(d));
+  work_.read_held_faces(ring, edge_.faces);
+}
+
+// The fan from rim[apex]; of a closed ring without the two tetrahedra at the apex, of an open one without
+// that at its end.
+double Candidates::fan_quality(const Ring& ring, std::size_t apex, double limit) const {
+  const Index x = ring.rim[apex];
+  double worst = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Index y = ring.rim[i], z = ring.next(i);
+    if (y == x || z == x) continue;
+    worst = std::max(worst, work_.quality_of(Corners{ring.a, x, y, z}));
+    if (worst >= limit) break;
+    worst = std::max(worst, work_.quality_of(Corners{x, ring.b, y, z}));
+    if (worst >= limit) break;
+  }
+  return worst;
+}
+
+void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
+  tried(Kind::edge_swap);
+  work_.read_ring(e, ring_);
+  read_edge_state(ring_);
+  const bool surface = edge_.faces.size() == 2;
+  if (edge_.curve || edge_.locked || (!edge_.is_free() && !surface) || ring_.size() > largest_ring ||
+      ring_.rim.size() < 3 ||
+      (surface && !may_exchange_diagonals(point(ring_.a), point(ring_.b), point(ring_.rim[edge_.faces[0]]),
+                                          point(ring_.rim[edge_.faces[1]]))))
+    return refuse(Kind::edge_swap, Why::held);
+  const double before = ring_quality(ring_);
+  double limit = std::min(demand.limit(before), best.after);
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t apex = ring_.rim.size();
+  for (std::size_t i = 0; i < ring_.rim.size(); ++i) {
+    if (surface && i != edge_.faces[0] && i != edge_.faces[1]) continue;
+    const double after = fan_quality(ring_, i, limit);
+    least = std::min(least, after);
+    if (after < limit) limit = after, apex = i;
+  }
+  if (apex == ring_.rim.size()) return refuse_worse(Kind::edge_swap, least);
+  // (a,b,x,..): the dart at the apex; of the last one of an open ring, the far side of the last tetrahedron.
+  const Dart d =
+      apex == ring_.size() ? work_.mesh().reorder(ring_.darts.back(), transposition(2)) : ring_.darts[apex];
+  best = {Kind::edge_swap, d, before, limit, Vec3::Zero(), 0, !ring_.closed};
+}
+
+// Where rounding takes the middle off the surface, faces around it that were coplanar are so no longer, and
+// may not be swapped any more: better not split at all there.
+bool Candidates::may_split_held(const Vec3& middle, HeldSplits splits) {
+  const Vec3 &a = point(ring_.a), &b = point(ring_.b);
+  if (splits == HeldSplits::none) return false;
+  if (collinear(a.data(), middle.data(), b.data())) return true;
+  if (!edge_.curve && edge_.faces.size() == 2 &&
+      lies_flat_split_at(a, b, point(ring_.rim[edge_.faces[0]]), point(ring_.rim[edge_.faces[1]]), middle))
+    return true;
+  return splits == HeldSplits::rounded && !is_beside_flat_face();
+}
+
+bool Candidates::is_beside_flat_face() {
+  for (const std::size_t i : edge_.faces) {
+    const Dart t =
+        i == ring_.size() ? work_.mesh().reorder(ring_.darts.back(), transposition(2)) : ring_.darts[i];
+    for (const Permutation side : {permutation(0, 2, 1, 3), permutation(1, 2, 0, 3)}) {
+      const Dart e = work_.mesh().reorder(t, side);
+      if (work_.held().curve(e)) continue;
+      work_.read_ring(e, other_ring_);
+      work_.read_held_faces(other_ring_, other_faces_);
+      if (other_faces_.size() == 2 &&
+          lies_flat(point(other_ring_.a), point(other_ring_.b), point(other_ring_.rim[other_faces_[0]]),
+                    point(other_ring_.rim[other_faces_[1]])))
+        return true;
+    }
+  }
+  return false;
+}
+
+void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
+  tried(Kind::split);
+  work_.read_ring(e, ring_);
+  read_edge_state(ring_);
+  const Vec3 &a = point(ring_.a), &b = point(ring_.b);
+  const Vec3 middle = (a + b) / 2;  // rounded once
+  if (edge_.locked) return refuse(Kind::split, Why::held);
+  if ((b - a).norm() < 2 * demand.shortest) return refuse(Kind::split, Why::length);
+  const double before = ring_quality(ring_);
+  opposite_.clear();
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const Vec3 &x = point(ring_.rim[i]), &y = point(ring_.next(i));
+    opposite_.push_back({a, y, x});
+    opposite_.push_back({b, x, y});
+  }
+  const Vec3 place = edge_.is_free() ? best_place(middle, opposite_) : middle;
+  const double limit = std::min(demand.limit(before), best.after);
+  const double after = worst_quality(place, opposite_, limit);
+  if (!(after < limit)) return refuse_worse(Kind::split, after);
+  if (!edge_.is_free() && !may_split_held(middle, demand.held_splits)) return refuse(Kind::split, Why::held);
+  std::uint8_t strata = 0;
+  if (!edge_.faces.empty()) strata |= Held::on_face;
+  if (edge_.curve) strata |= Held::on_curve;
+  best = {Kind::split, ring_.darts.front(), before, after, place, strata, false};
+}
+
+double Candidates::merged_quality(Index b, double limit) const {
+  double worst = 0;
+  for (const Corners& c : star_) {
+    if (c[1] == b || c[2] == b || c[3] == b) continue;
+    worst = std::max(worst, work_.quality_of(Corners{b, c[1], c[2], c[3]}));
+    if (worst >= limit) break;
+  }
+  return worst;
+}
+
+void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
+  tried(Kind::collapse);
+  const tet::TetMesh& mesh = work_.mesh();
+  const Index a = mesh.vertex(e), b = mesh.vertex(mesh.reorder(e, exchange_ends));
+  const bool is_free = work_.held().is_free(a);
+  // A vertex of the surface goes along the surface only, one of a curve along the curve.
+  if (!is_free &&
+      (work_.held().is_fixed(a) || (work_.held().strata(a) & ~work_.held().strata(b) & ~Held::fixed)))
+    return refuse(Kind::collapse, Why::held);
+  work_.read_star(e, star_);
+  const double before = star_quality(star_);
+  const double limit = std::min(demand.limit(before), best.after);
+  const double after = merged_quality(b, limit);
+  if (!(after < limit)) return refuse_worse(Kind::collapse, after);
+  if (demand.longest < std::numeric_limits<double>::infinity())
+    for (const Corners& c : star_)
+      for (std::size_t i = 1; i < 4; ++i)
+        if (c[i] != b && (point(c[i]) - point(b)).norm() > demand.longest)
+          return refuse(Kind::collapse, Why::length);
+  if (!is_free && !(place_.read(e) && place_.allows_merging(b))) return refuse(Kind::collapse, Why::held);
+  best = {Kind::collapse, e, before, after, Vec3::Zero(), 0, false};
+}
+
+// --- faces ---------------------------------------------------------------------------------------------
+
+void Candidates::face_swap(Dart f, const Demand& demand, Candidate& best) {
+  tried(Kind::face_swap);
+  const tet::TetMesh& mesh = work_.mesh();
+  const Index t = tet::TetMesh::tet(f);
+  const Dart beyond = mesh.switch_dart(f, 3);
+  if (beyond == no_dart || work_.held().face(f) || work_.held().is_locked_tet(t))
+    return refuse(Kind::face_swap, Why::held);
+  Index c[4], other[4];
+  mesh.vertices(f, c);
+  mesh.vertices(beyond, other);
+  const Index w = c[3], v = other[3];
+  // (x,y,z,w) of positive orientation.
+  Index x = c[0], y = c[1];
+  const double here = work_.quality_of(t), there = work_.quality_of(tet::TetMesh::tet(beyond));
+  if (orient3d(point(x).data(), point(y).data(), point(c[2]).data(), point(w).data()) < 0) std::swap(x, y);
+  const double before = std::max(here, there);
+  const double limit = std::min(demand.limit(before), best.after);
+  double after = 0;
+  for (const auto& [p, q] : {std::pair{x, y}, {y, c[2]}, {c[2], x}}) {
+    after = std::max(after, work_.quality_of(Corners{p, q, v, w}));
+    if (after >= limit) return refuse_worse(Kind::face_swap, after);
+  }
+  best = {Kind::face_swap, f, before, after, Vec3::Zero(), 0, false};
+}
+
+// --- vertices ------------------------------------------------------------------------------------------
+
+void Candidates::read_opposite(const std::vector<Corners>& star) {
+  opposite_.clear();
+  for (const Corners& c : star) opposite_.push_back({point(c[1]), point(c[2]), point(c[3])});
+}
+
+void Candidates::smoothing(Dart v, const Demand& demand, Candidate& best) {
+  tried(Kind::smoothing);
+  const Index a = work_.mesh().vertex(v);
+  const bool is_free = work_.held().is_free(a);
+  Axes axes{true, true, true};
+  if (!is_free) {
+    if (!place_.read(v)) return refuse(Kind::smoothing, Why::held);
+    axes = place_.axes();
+    if (axes == Axes{}) return refuse(Kind::smoothing, Why::held);
+  }
+  work_.read_star(v, star_);
+  const double before = star_quality(star_);
+  read_opposite(star_);
+  const Vec3 place = best_place(point(a), opposite_, axes);
+  const double limit = std::min(demand.limit(before), best.after);
+  const double after = worst_quality(place, opposite_, limit);
+  if (!(after < limit)) return refuse_worse(Kind::smoothing, after);
+  if (!is_free && !place_.allows(place)) return refuse(Kind::smoothing, Why::held);
+  best = {Kind::smoothing, v, before, after, place, 0, false};
+}
+
+}  // namespace multimesh::improvement

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+
+#include "multimesh/algorithms/improvement/counts.hpp"
+#include "multimesh/algorithms/improvement/exact_place.hpp"
+#include "multimesh/algorithms/improvement/smoothing.hpp"
+#include "multimesh/algorithms/improvement/workspace.hpp"
+
+namespace multimesh::improvement {
+
+/// How surface and curve edges may be split, see SurfaceSplits.
+enum class HeldSplits : std::uint8_t { none, exact, rounded };
+
+/// An operation that would make the worst of the tetrahedra it replaces better.
+struct Candidate {
+  Kind kind = Kind::smoothing;
+  Dart dart = no_dart;
+  double before = 0;  ///< the worst quality of what it replaces
+  double after = std::numeric_limits<double>::infinity();
+  Vec3 place = Vec3::Zero();  ///< of the new or moved vertex
+  std::uint8_t strata = 0;    ///< of the new vertex
+  bool in_boundary = false;   ///< a swap of an edge of the boundary
+
+  explicit operator bool() const noexcept { return dart != no_dart; }
+};
+
+/// What is asked of a candidate.
+struct Demand {
+  double gain = 0.999;                                       ///< after < gain * before
+  double enough = 0;                                         ///< or after <= this
+  double shortest = 0;                                       ///< no new edge is shorter
+  double longest = std::numeric_limits<double>::infinity();  ///< no new edge is longer
+  HeldSplits held_splits = HeldSplits::rounded;
+
+  double limit(double before) const { return std::max(gain * before, enough); }
+};
+
+/// Finds candidates by looking at positions only; nothing is touched. One worse than `best` is not found.
+/// Refusals are counted.
+class Candidates {
+ public:
+  Candidates(const Workspace& work, Counts& counts) : work_(work), counts_(counts), place_(work) {}
+
+  /// Of the edge of a dart, with the best apex.
+  void edge_swap(Dart e, const Demand& demand, Candidate& best);
+  /// Of the face of a dart.
+  void face_swap(Dart f, const Demand& demand, Candidate& best);
+  /// Of the edge of (a,b,..), a going to b.
+  void collapse(Dart e, const Demand& demand, Candidate& best);
+  /// Of the vertex of a dart.
+  void smoothing(Dart v, const Demand& demand, Candidate& best);
+  /// Of the edge of a dart, with the new vertex at its best place; on held edges, in the middle.
+  void split(Dart e, const Demand& demand, Candidate& best);
+
+ private:
+  /// What is held around the edge of the ring.
+  struct EdgeState {
+    bool curve = false, locked = false;
+    std::vector<std::size_t> faces;  ///< positions in the rim
+    bool is_free() const { return !curve && !locked && faces.empty(); }
+  };
+  void read_edge_state(const Ring& ring);
+  bool may_split_held(const Vec3& middle, HeldSplits splits);
+  bool is_beside_flat_face();
+  void refuse(Kind kind, Why why) {
+    ++counts_[static_cast<std::size_t>(kind)].refused[static_cast<std::size_t>(why)];
+  }
+  void refuse_worse(Kind kind, double after) {
+    refuse(kind, after < std::numeric_limits<double>::infinity() ? Why::worse : Why::inverted);
+  }
+  void tried(Kind kind) { ++counts_[static_cast<std::size_t>(kind)].tried; }
+  double ring_quality(const Ring& ring) const;
+  double star_quality(const std::vector<Corners>& star) const;
+  double fan_quality(const Ring& ring, std::size_t apex, double limit) const;
+  double merged_quality(Index b, double limit) const;
+  void read_opposite(const std::vector<Corners>& star);
+  const Vec3& point(Index v) const { return work_.point(v); }
+
+  const Workspace& work_;
+  Counts& counts_;
+  ExactPlace place_;
+  Ring ring_, other_ring_;
+  EdgeState edge_;
+  std::vector<std::size_t> other_faces_;
+  std::vector<Corners> star_;
+  std::vector<Opposite> opposite_;
+};
+
+}  // namespace multimesh::improvement

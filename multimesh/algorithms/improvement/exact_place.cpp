@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/improvement/exact_place.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "adapters/predicates/orientation.hpp"
+
+namespace multimesh::improvement {
+
+namespace {
+
+/// The sign of the triangle's area without this coordinate. In one plane that is not parallel to the axis, it
+/// tells orientations apart; it is 0 just if the triangle's plane is parallel to the axis.
+int turn_without(int axis, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const int i = axis == 0 ? 1 : 0, j = axis == 2 ? 1 : 2;
+  const double p[2] = {a[i], a[j]}, q[2] = {b[i], b[j]}, r[2] = {c[i], c[j]};
+  return orient2d(p, q, r);
+}
+
+/// Whether (p,b,c), in the plane of (a,b,c), has the same orientation there.
+bool same_turn(const Vec3& a, const Vec3& p, const Vec3& b, const Vec3& c) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (const int turn = turn_without(axis, a, b, c); turn != 0) return turn_without(axis, p, b, c) == turn;
+  return false;  // a triangle without area
+}
+
+/// Whether p lies strictly between a and b. \pre on one line
+bool between(const Vec3& a, const Vec3& p, const Vec3& b) {
+  for (int i = 0; i < 3; ++i)
+    if (a[i] != b[i]) return std::min(a[i], b[i]) < p[i] && p[i] < std::max(a[i], b[i]);
+  return false;
+}
+
+bool coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return orient3d(a.data(), b.data(), c.data(), d.data()) == 0;
+}
+
+}  // namespace
+
+bool ExactPlace::read(Dart at_v) {
+  v_ = work_.mesh().vertex(at_v);
+  faces_.clear();
+  n_curve_edges_ = 0;
+  curve_ = {no_index, no_index};
+  const std::uint8_t strata = work_.held().strata(v_);
+  if (strata & Held::fixed) return false;
+  work_.mesh().star(at_v, 0, star_);
+  if (strata & Held::on_face) read_faces();
+  if (strata & Held::on_curve) {
+    read_curves();
+    if (n_curve_edges_ != 2 || !curve_is_straight()) return false;
+  }
+  return join_sheets() && sheets_are_plane();
+}
+
+void ExactPlace::read_faces() {
+  const tet::TetMesh& mesh = work_.mesh();
+  for (const Dart t : star_)
+    for (const Permutation p : {Permutation{}, permutation(0, 1, 3, 2), permutation(0, 2, 3, 1)}) {
+      const Dart f = mesh.reorder(t, p);
+      if (!work_.held().face(f)) continue;
+      Index c[4];
+      mesh.vertices(f, c);
+      const auto [low, high] = std::minmax(c[1], c[2]);
+      faces_.push_back({low, high, faces_.size()});
+    }
+  const auto order = [](const Face& f, const Face& g) { return std::tie(f.p, f.q) < std::tie(g.p, g.q); };
+  const auto same = [](const Face& f, const Face& g) { return f.p == g.p && f.q == g.q; };
+  std::sort(faces_.begin(), faces_.end(), order);
+  faces_.erase(std::unique(faces_.begin(), faces_.end(), same), faces_.end());
+}
+
+void ExactPlace::read_curves() {
+  const tet::TetMesh& mesh = work_.mesh();
+  seen_.clear();
+  for (const Dart t : star_)
+    for (const Permutation p : {Permutation{}, permutation(0, 2, 1, 3), permutation(0, 3, 1, 2)}) {
+      const Dart e = mesh.reorder(t, p);
+      const Index w = mesh.vertex(mesh.reorder(e, exchange_ends));
+      if (!work_.held().curve(e) || std::find(seen_.begin(), seen_.end(), w) != seen_.end()) continue;
+      seen_.push_back(w);
+    }
+  n_curve_edges_ = seen_.size();
+  std::copy_n(seen_.begin(), std::min<std::size_t>(2, seen_.size()), curve_.begin());
+}
+
+bool ExactPlace::curve_is_straight() const {
+  return collinear(point(curve_[0]).data(), point(v_).data(), point(curve_[1]).data()) &&
+         between(point(curve_[0]), point(v_), point(curve_[1]));
+}
+
+// Faces that meet in an edge that is no curve are of one sheet. False unless just two meet in each of these.
+bool ExactPlace::join_sheets() {
+  for (std::size_t i = 0; i < faces_.size(); ++i) faces_[i].sheet = i;
+  for (const Face& f : faces_)
+    for (const Index p : {f.p, f.q}) {
+      if (is_curve_end(p)) continue;
+      std::size_t n = 0;
+      for (const Face& g : faces_) n += g.p == p || g.q == p;
+      if (n != 2) return false;
+    }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Face& f : faces_)
+      for (Face& g : faces_) {
+        const bool meet = (!is_curve_end(f.p) && (f.p == g.p || f.p == g.q)) ||
+                          (!is_curve_end(f.q) && (f.q == g.p || f.q == g.q));
+        if (meet && f.sheet > g.sheet) f.sheet = g.sheet, changed = true;
+      }
+  }
+  return true;
+}
+
+bool ExactPlace::sheets_are_plane() const {
+  return std::all_of(faces_.begin(), faces_.end(), [&](const Face& f) {
+    const Face& first = faces_[f.sheet];  // sheets are named after their first face
+    return (n_curve_edges_ > 0 || f.sheet == 0) &&
+           coplanar(point(v_), point(first.p), point(first.q), point(f.p)) &&
+           coplanar(point(v_), point(first.p), point(first.q), point(f.q));
+  });
+}
+
+bool ExactPlace::allows_merging(Index b) const {
+  if (n_curve_edges_ > 0) return is_curve_end(b) && allows(point(b), b);
+  const bool on_sheet =
+      std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) { return f.p == b || f.q == b; });
+  return on_sheet && allows(point(b), b);
+}
+
+bool ExactPlace::allows(const Vec3& p, Index merged) const {
+  if (n_curve_edges_ > 0) {
+    const Vec3 &a = point(curve_[0]), &b = point(curve_[1]);
+    if (!collinear(a.data(), p.data(), b.data())) return false;
+    if (merged == no_index && !between(a, p, b)) return false;
+  }
+  return std::all_of(faces_.begin(), faces_.end(), [&](const Face& f) {
+    if (f.p == merged || f.q == merged) return true;
+    return coplanar(point(v_), point(f.p), point(f.q), p) && same_turn(point(v_), p, point(f.p), point(f.q));
+  });
+}
+
+std::array<bool, 3> ExactPlace::axes() const {
+  std::array<bool, 3> free{};
+  for (int axis = 0; axis < 3; ++axis) {
+    bool parallel = true;
+    if (n_curve_edges_ > 0)
+      for (int i = 0; i < 3; ++i)
+        parallel = parallel && (i == axis || point(curve_[0])[i] == point(curve_[1])[i]);
+    for (const Face& f : faces_)
+      parallel = parallel && turn_without(axis, point(v_), point(f.p), point(f.q)) == 0;
+    free[static_cast<std::size_t>(axis)] = parallel;
+  }
+  return free;
+}
+
+bool may_exchange_diagonals(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) {
+  if (!coplanar(a, b, x, y)) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int side = turn_without(axis, a, b, x);
+    if (side == 0) continue;
+    return turn_without(axis, a, b, y) == -side && turn_without(axis, x, y, b) == side &&
+           turn_without(axis, x, y, a) == -side;
+  }
+  return false;
+}
+
+bool lies_flat(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) {
+  if (!coplanar(a, b, x, y)) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (const int side = turn_without(axis, a, b, x); side != 0) return turn_without(axis, a, b, y) == -side;
+  return false;
+}
+
+bool lies_flat_split_at(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, const Vec3& m) {
+  return lies_flat(a, b, x, y) && coplanar(a, b, x, m) && same_turn(a, m, b, x) && same_turn(b, m, a, x) &&
+         same_turn(a, m, b, y) && same_turn(b, m, a, y);
+}
+
+}  // namespace multimesh::improvement

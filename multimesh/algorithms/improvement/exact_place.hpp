@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "multimesh/algorithms/improvement/workspace.hpp"
+
+namespace multimesh::improvement {
+
+/// Where a vertex of the surface or of a curve may go so that surface and curves stay the same sets of
+/// points, exactly: within the plane of its faces, if all of them lie in one; along its curve, if that is
+/// straight there and each sheet of the surface at it is plane. All tests are of exact signs.
+class ExactPlace {
+ public:
+  explicit ExactPlace(const Workspace& work) : work_(work) {}
+
+  /// Reads the held faces and curves at the vertex of a dart.
+  /// \return false if they are not flat, or it is fixed: it must stay then
+  bool read(Dart at_v);
+
+  /// Whether v may go to `p`. \pre read() returned true
+  bool allows(const Vec3& p) const { return allows(p, no_index); }
+  /// Whether v may be merged into b, along a held face or along its curve.
+  bool allows_merging(Index b) const;
+  /// Coordinate axes along which v may move (by how much is for allows() to say).
+  std::array<bool, 3> axes() const;
+
+ private:
+  /// A face (v,p,q).
+  struct Face {
+    Index p, q;
+    std::size_t sheet;
+  };
+  void read_faces();
+  void read_curves();
+  bool join_sheets();
+  bool is_curve_end(Index p) const { return p == curve_[0] || p == curve_[1]; }
+  bool curve_is_straight() const;
+  bool sheets_are_plane() const;
+  bool allows(const Vec3& p, Index merged) const;
+  const Vec3& point(Index v) const { return work_.point(v); }
+
+  const Workspace& work_;
+  Index v_ = no_index;
+  std::vector<Face> faces_;
+  std::array<Index, 2> curve_{};  ///< the neighbours along the curve
+  std::size_t n_curve_edges_ = 0;
+  DartBuffer star_;
+  std::vector<Index> seen_;
+};
+
+/// Whether four points, two of faces (a,b,x) and (a,b,y), may exchange the edge a-b for x-y without changing
+/// the set of points: they are coplanar, and the quadrangle a x b y is strictly convex. Exact.
+bool may_exchange_diagonals(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y);
+
+/// Whether the faces (a,b,x) and (a,b,y) lie in one plane, on different sides of a-b. Exact.
+bool lies_flat(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y);
+
+/// Whether they do, and a vertex at m in place of the middle of a-b leaves their set of points as it is.
+/// Exact.
+bool lies_flat_split_at(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, const Vec3& m);
+
+}  // namespace multimesh::improvement

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/improvement/smoothing.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "multimesh/algorithms/improvement/workspace.hpp"
+
+namespace multimesh::improvement {
+
+namespace {
+
+constexpr int most_steps = 10, most_halvings = 12;
+constexpr double least_gain = 1e-3;  // per step, relative to the energy
+
+double energy(const Vec3& v, const std::vector<Opposite>& around) {
+  double sum = 0;
+  for (const Opposite& o : around) sum += cubed_amips(v, o[0], o[1], o[2]);
+  return sum;
+}
+
+struct Derivatives {
+  Vec3 gradient = Vec3::Zero();
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+};
+
+// Of f^3: 3 f^2 grad f, and 3 f^2 hess f + 6 f grad f grad f^T.
+Derivatives derivatives(const Vec3& v, const std::vector<Opposite>& around) {
+  Derivatives sum;
+  for (const Opposite& o : around) {
+    const AmipsDerivatives f = amips_derivatives(v, o[0], o[1], o[2]);
+    const double square = f.value * f.value;
+    sum.gradient += 3 * square * f.gradient;
+    sum.hessian += 3 * square * f.hessian + 6 * f.value * (f.gradient * f.gradient.transpose());
+  }
+  return sum;
+}
+
+void restrict_to(Axes axes, Derivatives& d) {
+  const double scale = d.hessian.cwiseAbs().maxCoeff();
+  for (int i = 0; i < 3; ++i) {
+    if (axes[static_cast<std::size_t>(i)]) continue;
+    d.gradient[i] = 0;
+    d.hessian.row(i).setZero();
+    d.hessian.col(i).setZero();
+    d.hessian(i, i) = scale;
+  }
+}
+
+// Where the Hessian is not positive definite, its eigenvalues are made positive.
+Vec3 descent(const Derivatives& d) {
+  const Eigen::LLT<Eigen::Matrix3d> factors(d.hessian);
+  if (factors.info() == Eigen::Success) return -factors.solve(d.gradient);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(d.hessian);
+  const Vec3 size = eigen.eigenvalues().cwiseAbs();
+  const Vec3 inverse = size.cwiseMax(1e-6 * size.maxCoeff()).cwiseInverse();
+  return -(eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose() * d.gradient);
+}
+
+/// A place with finite energy to start from; false if none was found.
+bool find_start(Vec3& v, double& value, const std::vector<Opposite>& around, Axes axes) {
+  value = energy(v, around);
+  if (std::isfinite(value)) return true;
+  Vec3 mean = Vec3::Zero();
+  for (const Opposite& o : around) mean += o[0] + o[1] + o[2];
+  mean /= 3 * static_cast<double>(around.size());
+  for (int i = 0; i < 3; ++i)
+    if (!axes[static_cast<std::size_t>(i)]) mean[i] = v[i];
+  for (double t : {0.01, 0.1, 0.5, 1.0}) {
+    const Vec3 p = (1 - t) * v + t * mean;
+    value = energy(p, around);
+    if (!std::isfinite(value)) continue;
+    v = p;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axes) {
+  Vec3 v = start;
+  double value;
+  if (!find_start(v, value, around, axes)) return start;
+  for (int step = 0; step < most_steps; ++step) {
+    Derivatives d = derivatives(v, around);
+    restrict_to(axes, d);
+    if (!d.gradient.allFinite() || !d.hessian.allFinite()) break;
+    const Vec3 direction = descent(d);
+    const double slope = direction.dot(d.gradient);
+    if (!(slope < 0)) break;
+    double t = 1, next = value;
+    Vec3 p = v;
+    for (int i = 0; i < most_halvings; ++i, t /= 2) {
+      p = v + t * direction;
+      next = energy(p, around);
+      if (next <= value + 1e-4 * t * slope) break;
+    }
+    if (!(next < value)) break;
+    const double gain = (value - next) / value;
+    v = p;
+    value = next;
+    if (gain < least_gain) break;
+  }
+  return v;
+}
+
+double worst_quality(const Vec3& v, const std::vector<Opposite>& around, double limit) {
+  double worst = 0;
+  for (const Opposite& o : around) {
+    worst = std::max(worst, quality(v, o[0], o[1], o[2]));
+    if (worst >= limit) break;
+  }
+  return worst;
+}
+
+}  // namespace multimesh::improvement

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The single operations: what is predicted is what comes out, and what must be refused is.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "multimesh/algorithms/improvement/candidates.hpp"
+#include "multimesh/algorithms/improvement/exact_place.hpp"
+#include "test/improve/made_domain.hpp"
+
+namespace multimesh::improvement {
+namespace {
+
+using test::BoxOptions;
+using test::Kept;
+using test::make_box;
+
+Dart do_it(Workspace& work, const Candidate& c) {
+  switch (c.kind) {
+    case Kind::split: {
+      const Dart d = work.split(c.dart, c.place, c.strata);
+      return d == no_dart ? d : work.mesh().reorder(d, exchange_ends);
+    }
+    case Kind::collapse:
+      return work.collapse(c.dart);
+    case Kind::edge_swap:
+      return c.in_boundary ? work.swap_in_boundary(c.dart) : work.swap(c.dart);
+    case Kind::face_swap:
+      return work.swap_face(c.dart);
+    case Kind::smoothing:
+      return work.move(c.dart, c.place) ? c.dart : no_dart;
+  }
+  return no_dart;
+}
+
+/// Any candidate of a random kind at a random place that only has to leave all tetrahedra positive.
+Candidate random_candidate(Workspace& work, Candidates& candidates, std::mt19937& random) {
+  Demand demand;
+  demand.enough = flat;
+  Index t;
+  do t = static_cast<Index>(random() % work.mesh().capacity(3));
+  while (!work.is_live(t));
+  const int i = static_cast<int>(random() % 4),
+            j = static_cast<int>((i + 1 + static_cast<int>(random() % 3)) % 4);
+  Candidate c;
+  const Dart e = Workspace::edge(t, i, j);
+  switch (random() % 6) {
+    case 0:
+      candidates.split(e, demand, c);
+      break;
+    case 1:
+    case 2:
+      candidates.collapse(e, demand, c);
+      break;
+    case 3:
+      candidates.edge_swap(e, demand, c);
+      break;
+    case 4:
+      candidates.face_swap(e, demand, c);
+      break;
+    default:
+      candidates.smoothing(e, demand, c);
+  }
+  return c;
+}
+
+TEST(Operations, InAStormKeepEverything) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    BoxOptions options;
+    options.squash = 0.5;
+    options.seed = seed;
+    if (seed % 2 == 0) options.map << 2, 1, 0, -1, 2, 1, 1, 0, 3;
+    TetDomain domain(make_box(options).input);
+    const Kept kept(domain);
+    Workspace work(domain, {});
+    Counts counts{};
+    Candidates candidates(work, counts);
+    std::mt19937 random(seed);
+    std::array<int, n_kinds> done{};
+    for (int i = 0; i < 3000; ++i) {
+      const Candidate c = random_candidate(work, candidates, random);
+      if (!c) continue;
+      const Dart at = do_it(work, c);
+      if (at == no_dart) continue;
+      ++done[static_cast<std::size_t>(c.kind)];
+      if (i % 250 == 0) {
+        ASSERT_EQ(kept.fault(domain), "") << seed << ' ' << i;
+      }
+    }
+    EXPECT_EQ(kept.fault(domain), "") << seed;
+    for (const int n : done) EXPECT_GT(n, 10) << seed;
+  }
+}
+
+TEST(Operations, GiveWhatWasPredicted) {
+  TetDomain domain(make_box({.squash = 0.9}).input);
+  Workspace work(domain, {});
+  Counts counts{};
+  Candidates candidates(work, counts);
+  std::mt19937 random(5);
+  std::array<int, n_kinds> compared{};
+  for (int i = 0; i < 1500; ++i) {
+    const Candidate c = random_candidate(work, candidates, random);
+    if (!c) continue;
+    Index v[4];
+    work.mesh().vertices(c.dart, v);
+    const Dart at = do_it(work, c);
+    if (at == no_dart) continue;
+    std::vector<Corners> star;
+    work.read_star(at, star);
+    const auto has = [](const Corners& t, Index x) { return std::find(t.begin(), t.end(), x) != t.end(); };
+    double worst = 0;
+    for (const Corners& t : star) {
+      const bool is_new = c.kind == Kind::split || c.kind == Kind::smoothing ||
+                          (c.kind == Kind::edge_swap && (has(t, v[0]) != has(t, v[1])));
+      if (is_new) worst = std::max(worst, work.quality_of(t));
+    }
+    if (c.kind == Kind::collapse || c.kind == Kind::face_swap) continue;
+    ++compared[static_cast<std::size_t>(c.kind)];
+    if (c.kind == Kind::edge_swap) {
+      EXPECT_GE(worst, c.after * (1 - 1e-9));  // others at the apex may be as bad
+    } else {
+      EXPECT_NEAR(worst, c.after, 1e-9 * c.after);
+    }
+  }
+  EXPECT_GT(compared[static_cast<std::size_t>(Kind::split)], 10);
+  EXPECT_GT(compared[static_cast<std::size_t>(Kind::smoothing)], 10);
+  EXPECT_GT(compared[static_cast<std::size_t>(Kind::edge_swap)], 10);
+}
+
+TEST(Operations, TrialsAreUndone) {
+  TetDomain domain(make_box({.squash = 0.9}).input);
+  Workspace work(domain, {});
+  Counts counts{};
+  Candidates candidates(work, counts);
+  std::mt19937 random(9);
+  const TaggedTetrahedra before = domain.tagged();
+  for (int trial = 0; trial < 20; ++trial) {
+    Transaction scope = work.operations().transaction();
+    for (int i = 0; i < 60; ++i)
+      if (const Candidate c = random_candidate(work, candidates, random)) (void)do_it(work, c);
+  }
+  const TaggedTetrahedra after = domain.tagged();
+  EXPECT_EQ(before.points, after.points);
+  EXPECT_EQ(before.tets.corners, after.tets.corners);
+  EXPECT_EQ(before.regions, after.regions);
+  EXPECT_EQ(before.patches, after.patches);
+}
+
+TEST(Diagonals, AreExchangedInConvexPlaneQuadranglesOnly) {
+  const Vec3 a(0, 0, 0), b(1, 1, 0), x(1, 0, 0), y(0, 1, 0);
+  EXPECT_TRUE(may_exchange_diagonals(a, b, x, y));
+  EXPECT_TRUE(may_exchange_diagonals(b, a, x, y));
+  EXPECT_FALSE(may_exchange_diagonals(a, b, x, Vec3(0, 1, 1e-300)));   // not plane
+  EXPECT_FALSE(may_exchange_diagonals(a, b, x, Vec3(0.75, 0.25, 0)));  // on the same side
+  EXPECT_FALSE(may_exchange_diagonals(a, b, x, Vec3(-1, 0, 0)));       // a triangle
+  EXPECT_FALSE(may_exchange_diagonals(a, b, x, Vec3(-2, -1, 0)));      // concave
+  EXPECT_TRUE(lies_flat(a, b, x, y));
+  EXPECT_FALSE(lies_flat(a, b, x, Vec3(0.75, 0.25, 0)));
+  EXPECT_TRUE(lies_flat_split_at(a, b, x, y, Vec3(0.5, 0.25, 0)));
+  EXPECT_FALSE(lies_flat_split_at(a, b, x, y, Vec3(0.5, 0.25, 1e-300)));
+  EXPECT_FALSE(lies_flat_split_at(a, b, x, y, Vec3(1.5, 0.25, 0)));
+}
+
+}  // namespace
+}  // namespace multimesh::improvement

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "multimesh/error.hpp"
+#include "tools/command.hpp"
+#ifdef MULTIMESH_WITH_IMPROVE
+#include "adapters/io/atomic_file.hpp"
+#include "multimesh/algorithms/improve.hpp"
+#include "tools/domain_file.hpp"
+#include "tools/output_check.hpp"
+#include "tools/surface_json.hpp"
+#endif
+
+namespace multimesh::tools {
+
+#ifdef MULTIMESH_WITH_IMPROVE
+
+namespace {
+
+struct ImproveArguments {
+  std::string input, output, json, splits = "rounded";
+  double feature_angle = 0;
+  ImproveOptions options;
+  bool ascii = false, msh_2 = false;
+};
+
+constexpr const char* split_names[] = {"none", "exact", "rounded"};
+
+Json to_json(const TetQuality& q) {
+  return {{"tetrahedra", q.tets},
+          {"vertices", q.vertices},
+          {"max_amips", q.max_amips},
+          {"mean_amips", q.mean_amips},
+          {"above_target", q.above_target}};
+}
+
+Json to_json(const ImproveArguments& a, const ImproveResult& r) {
+  Json j{{"input", a.input},
+         {"output", a.output},
+         {"target_amips", a.options.target_amips},
+         {"target_reached", r.target_reached},
+         {"passes", r.passes},
+         {"seconds", r.seconds},
+         {"before", to_json(r.before)},
+         {"after", to_json(r.after)}};
+  for (const OperationCount& c : r.operations) {
+    Json refused = Json::object();
+    for (const auto& [reason, n] : c.refused) refused[reason] = n;
+    j["operations"][c.name] = {{"tried", c.tried}, {"done", c.done}, {"refused", refused}};
+  }
+  j["least_max_amips"] = {{"value", r.least_max_amips}, {"at", r.least_max_amips_at}};
+  j["obstacles"] = Json::array();
+  for (const ImproveObstacle& o : r.obstacles)
+    j["obstacles"].push_back({{"reason", o.reason},
+                              {"tetrahedra", o.tets},
+                              {"max_amips", o.max_amips},
+                              {"least_max_amips", o.least_max_amips},
+                              {"example", o.example}});
+  return j;
+}
+
+void print(const ImproveArguments& a, const ImproveResult& r) {
+  std::cout << a.output << '\n' << std::setprecision(4);
+  const auto line = [&](const char* when, const TetQuality& q) {
+    std::cout << "  " << when << "  " << q.tets << " tetrahedra, AMIPS max " << q.max_amips << ", mean "
+              << q.mean_amips << ", " << q.above_target << " above " << a.options.target_amips << '\n';
+  };
+  line("before:", r.before);
+  line("after: ", r.after);
+  std::cout << "  done:   ";
+  for (const OperationCount& c : r.operations)
+    std::cout << (&c == &r.operations.front() ? " " : ", ") << c.done << " of " << c.tried << ' ' << c.name;
+  std::cout << "\n           in " << r.passes << " passes, " << r.seconds << " s\n";
+}
+
+std::string place(const std::array<double, 3>& p) {
+  std::ostringstream text;
+  text << std::setprecision(6) << '(' << p[0] << ", " << p[1] << ", " << p[2] << ')';
+  return text.str();
+}
+
+/// Why the target was missed, in sentences.
+std::vector<std::string> reasons(const ImproveArguments& a, const ImproveResult& r) {
+  std::vector<std::string> list;
+  if (r.target_reached) return list;
+  const auto number = [](double x) {
+    std::ostringstream text;
+    text << std::setprecision(4) << x;
+    return text.str();
+  };
+  list.push_back("the target was missed: " + std::to_string(r.after.above_target) +
+                 " tetrahedra have an AMIPS energy above " + number(a.options.target_amips));
+  if (r.least_max_amips > a.options.target_amips)
+    list.push_back("no mesh of this surface has a max AMIPS below " + number(r.least_max_amips) +
+                   ", because of its angle at " + place(r.least_max_amips_at));
+  for (const ImproveObstacle& o : r.obstacles)
+    list.push_back(std::to_string(o.tets) + " of them: " + o.reason + "; max " + number(o.max_amips) +
+                   " near " + place(o.example));
+  return list;
+}
+
+void run(ImproveArguments a) {
+  check_output_path(a.output, {a.input});
+  if (!a.json.empty()) check_output_path(a.json, {a.input, a.output});
+  DomainFile file = read_domain_file(a.input);
+  TetDomainOptions options;
+  if (a.feature_angle > 0) options.feature_angle = a.feature_angle * M_PI / 180;
+  for (int i = 0; i < 3; ++i)
+    if (a.splits == split_names[i]) a.options.surface_splits = static_cast<SurfaceSplits>(i);
+  TetDomain domain(take_tetrahedra(file), options);
+  for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
+  const ImproveResult r = [&] {
+    try {
+      return improve(domain, a.options);
+    } catch (const InputError& e) {
+      throw InputError(a.input + ": " + e.what());
+    }
+  }();
+  write_domain(a.output, domain, file.soup.groups, {a.ascii, a.msh_2}, file.warnings);
+  for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
+  if (!a.json.empty()) {
+    Json j = to_json(a, r);
+    j["warnings"] = file.warnings;
+    io::AtomicFile out(a.json);
+    out.write(to_text(j));
+    out.commit();
+  }
+  print(a, r);
+  for (const std::string& w : file.warnings) std::cerr << "warning: " << w << '\n';
+  if (!std::cout.flush()) throw InputError("standard output: writing failed");
+}
+
+}  // namespace
+
+void add_improve_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand(
+      "improve", "Makes the tetrahedra of a mesh better shaped; surfaces and curves stay.");
+  auto a = std::make_shared<ImproveArguments>();
+  command->add_option("IN", a->input, "tetrahedra: MSH, MEDIT, VTU, VTK, .node/.ele; also gzipped")
+      ->required();
+  command->add_option("-o,--output", a->output, "MSH, MEDIT (.mesh) or VTU file")->required();
+  command
+      ->add_option(
+          "--target-amips", a->options.target_amips,
+          "worst energy to reach: 3 is the regular tetrahedron, 10 has dihedral angles above 6.6 degrees")
+      ->check(CLI::Range(3.0, 1e9))
+      ->capture_default_str();
+  command->add_option("--max-passes", a->options.max_passes, "over the tetrahedra above the target")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--edge-length", a->options.edge_length,
+                   "edges far longer are split, far shorter collapsed")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--min-edge-length", a->options.min_edge_length, "no edge is split into shorter ones")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--surface-splits", a->splits,
+                   "edges of the surface may be split: not at all, exactly, or up to rounding")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(split_names), std::end(split_names))))
+      ->capture_default_str();
+  command
+      ->add_option("--feature-angle", a->feature_angle,
+                   "edges at which the surface turns by at least this become curves; degrees in (0, 180)")
+      ->check(CLI::Range(1e-6, 180.0));
+  command->add_option("--lock-region", a->options.locked_regions,
+                      "regions that are not touched, by their tags");
+  command->add_flag("--ascii", a->ascii, "text instead of binary, where the format has both");
+  command->add_flag("--msh2", a->msh_2, "MSH 2.2 instead of 4.1");
+  command->add_option("--json", a->json, "write a report");
+  command->footer(
+      "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --json report.json\n\n"
+      "The boundary, faces between regions and listed triangles and edges stay what they are. If the target\n"
+      "cannot be reached, the result is written all the same, warnings say why, and the exit status is 0.");
+  command->callback([a, &exit_code] {
+    run(*a);
+    exit_code = done;
+  });
+}
+
+#else
+
+void add_improve_command(CLI::App& app, int&) {
+  auto* command =
+      app.add_subcommand("improve", "Not in this build: configure with -DMULTIMESH_BUILD_IMPROVE=ON.");
+  command->allow_extras();
+  command->callback(
+      [] { throw InputError("improve: this build has no exact predicates (-DMULTIMESH_BUILD_IMPROVE=ON)"); });
+}
+
+#endif
+
+}  // namespace multimesh::tools
