@@ -131,6 +131,10 @@ void TetMesh::split_edge(Dart e, SplitRecord& record) {
   record.facets.clear();
   record.words.clear();
   const std::size_t n = ring_.darts.size();
+  // Of a large mesh, what is beyond is in no cache: all of it is asked for at once.
+  for (const std::uint32_t r : ring_.darts)
+    if (const std::uint32_t beyond = tets_[r >> 5].glue[local(r, 0)]; beyond != no_glue)
+      __builtin_prefetch(&tets_[beyond >> 5]);
   new_tets(ring_.darts, halves_);
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t r = ring_.darts[i];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Operations per second on tetrahedral meshes, in random order, alone and with children.
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <numeric>
@@ -28,14 +29,22 @@ Outcome swap_face(TetTree& t, Dart f) {
   return t.operations().swap_face(NodeId::root, f);
 }
 
+/// Bytes that the program has allocated.
+std::size_t allocated() {
+  const auto m = mallinfo2();
+  return m.uordblks + m.hblkhd;
+}
+
 /// Asks for the operation at a random dart of a tenth of the tetrahedra, dead ones left out.
 template <Outcome (*operation)(TetTree&, Dart)>
 void run(::benchmark::State& state, unsigned children) {
   const auto n = static_cast<Index>(state.range(0));
-  std::size_t tried = 0, done = 0, tets = 0;
+  std::size_t tried = 0, done = 0, tets = 0, bytes = 0;
   for (auto _ : state) {
     state.PauseTiming();
+    const std::size_t before = allocated();
     std::optional<TetTree> tree(std::in_place, n, children);
+    bytes = allocated() - before;
     tets = tree->root().capacity(3);
     std::vector<Index> order(tets);
     std::iota(order.begin(), order.end(), Index{0});
@@ -53,6 +62,7 @@ void run(::benchmark::State& state, unsigned children) {
     state.ResumeTiming();
   }
   state.counters["tets"] = static_cast<double>(tets);
+  state.counters["bytes/tet"] = static_cast<double>(bytes) / static_cast<double>(tets);
   state.counters["refused"] = 1 - static_cast<double>(done) / static_cast<double>(tried);
   state.counters["ops/s"] = Counter(static_cast<double>(done), Counter::kIsRate);
   state.counters["tries/s"] = Counter(static_cast<double>(tried), Counter::kIsRate);
