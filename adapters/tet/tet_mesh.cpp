@@ -97,7 +97,7 @@ SimplexKey TetMesh::key(Dart d, int k) const {
 // --- neighbourhoods ------------------------------------------------------------------------------------
 
 // A stamp that no element has; all are wiped when the numbers run out.
-std::uint32_t TetMesh::next_search(std::vector<std::uint32_t>& stamps, std::uint32_t& last, unsigned step) {
+std::uint32_t TetMesh::next_search(LargeArray<std::uint32_t>& stamps, std::uint32_t& last, unsigned step) {
   if (last > ~0U - 2 * step) {
     std::fill(stamps.begin(), stamps.end(), 0);
     last = 0;

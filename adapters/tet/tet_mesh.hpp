@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "adapters/tet/large_array.hpp"
 #include "adapters/tet/property.hpp"
 #include "adapters/tet/simplex_map.hpp"
 #include "adapters/tet/simplex_property.hpp"
@@ -150,7 +151,7 @@ class TetMesh final : public Mesh {
   void check(std::vector<std::string>& problems) const override;
 
  private:
-  struct Tet {
+  struct alignas(32) Tet {  // never across two cache lines
     Index v[4];             ///< v[0] is no_index in a dead one
     std::uint32_t glue[4];  ///< across the face opposite: neighbour << 5 | where our corners are in it
   };
@@ -211,7 +212,7 @@ class TetMesh final : public Mesh {
   // neighbourhoods
   void vertex_star(std::uint32_t d, std::vector<std::uint32_t>& out) const;
   void edge_ring(std::uint32_t d, Ring& ring) const;
-  static std::uint32_t next_search(std::vector<std::uint32_t>& stamps, std::uint32_t& last, unsigned step);
+  static std::uint32_t next_search(LargeArray<std::uint32_t>& stamps, std::uint32_t& last, unsigned step);
   bool link_of_edge_is_common(const Ring& ring, Index a, Index b) const;
   bool boundary_link_is_common(const Ring& ring, Index a, Index b) const;
 
@@ -263,9 +264,9 @@ class TetMesh final : public Mesh {
   }
   void adopt(std::unique_ptr<SimplexPropertyBase> property);
 
-  std::vector<Tet> tets_;
-  std::vector<std::uint32_t> vertex_tet_;  // a dart at the vertex, or no_dart's code
-  std::vector<std::uint8_t> flags_;
+  LargeArray<Tet> tets_;
+  LargeArray<std::uint32_t> vertex_tet_;  // a dart at the vertex, or no_dart's code
+  LargeArray<std::uint8_t> flags_;
   std::vector<Index> free_tets_, free_vertices_;    // to be used again
   std::vector<Index> freed_tets_, freed_vertices_;  // the same, once the journal is forgotten
   Properties vertex_properties_, tet_properties_;
@@ -278,7 +279,7 @@ class TetMesh final : public Mesh {
   std::vector<TableEntry> old_numbers_;
 
   // Scratch. A tetrahedron or vertex is marked if its stamp is that of the search.
-  mutable std::vector<std::uint32_t> tet_stamp_, vertex_stamp_;
+  mutable LargeArray<std::uint32_t> tet_stamp_, vertex_stamp_;
   mutable std::uint32_t tet_search_ = 0, vertex_search_ = 0;
   mutable std::vector<std::uint32_t> star_, star_b_;
   mutable Ring ring_;

@@ -26,8 +26,8 @@ Index count(const std::vector<Index>& place) {
                             static_cast<std::size_t>(std::count(place.begin(), place.end(), no_index)));
 }
 
-template <class T>
-void move_down(std::vector<T>& list, const std::vector<Index>& place, std::size_t n) {
+template <class List>
+void move_down(List& list, const std::vector<Index>& place, std::size_t n) {
   for (Index i = 0; i < place.size(); ++i)
     if (place[i] != no_index) list[place[i]] = list[i];
   list.resize(n);
