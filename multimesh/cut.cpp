@@ -16,21 +16,6 @@ Cut cut_tetrahedra(const FacetList& facets);  // cut_tetrahedra.cpp
 
 namespace {
 
-void refuse_degenerate(const FacetList& in) {
-  for (std::size_t f = 0; f < in.size(); ++f) {
-    const auto v = in.facet(f);
-    for (std::size_t i = 0; i < v.size(); ++i) {
-      if (v[i] >= in.vertices)
-        throw InputError("facet " + std::to_string(f) + " names vertex " + std::to_string(v[i]) + " of " +
-                         std::to_string(in.vertices));
-      for (std::size_t j = 0; j < i; ++j)
-        if (v[i] == v[j])
-          throw InputError("facet " + std::to_string(f) + " has vertex " + std::to_string(v[i]) +
-                           " twice; remove the degenerate facet");
-    }
-  }
-}
-
 /// Side c of a triangle joins its corners c and next(c).
 Index next(Index c) {
   return c % 3 == 2 ? c - 2 : c + 1;
@@ -275,10 +260,24 @@ class Cutter {
 
 }  // namespace
 
+void require_corners(const FacetList& facets, const std::function<std::string(std::size_t)>& name) {
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto v = facets.facet(f);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      if (v[i] >= facets.vertices)
+        throw InputError(name(f) + " names vertex " + std::to_string(v[i]) + " of " +
+                         std::to_string(facets.vertices));
+      for (std::size_t j = 0; j < i; ++j)
+        if (v[i] == v[j])
+          throw InputError(name(f) + " has vertex " + std::to_string(v[i]) + " twice; remove it");
+    }
+  }
+}
+
 Cut cut(const FacetList& facets, const CutOptions& options) {
   if (facets.dimension < 1 || facets.dimension > 3)
     throw InputError("cut: dimension " + std::to_string(facets.dimension) + " is not 1, 2 or 3");
-  refuse_degenerate(facets);
+  require_corners(facets, [](std::size_t f) { return "facet " + std::to_string(f); });
   return facets.dimension == 3 ? detail::cut_tetrahedra(facets) : Cutter(facets, options).run();
 }
 

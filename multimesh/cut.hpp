@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "multimesh/dart.hpp"
@@ -22,6 +23,10 @@ struct FacetList {
   }
 };
 
+/// \throw InputError for a facet with an index out of range or a repeated vertex; `name(f)` is how it is
+/// called
+void require_corners(const FacetList& facets, const std::function<std::string(std::size_t facet)>& name);
+
 /// Facets made manifold: the same ones in the same order, with vertices split where it was necessary.
 struct Cut {
   FacetList facets;
@@ -38,10 +43,11 @@ struct CutOptions {
 /// stay joined across edges with just two of them and are re-oriented to agree; edges with three or more,
 /// pinched vertices and places where no orientation agrees come apart. Edges stay joined at vertices with
 /// just two of them. Tetrahedra stay joined across faces with just two of them and are re-oriented to agree;
-/// vertices and edges come apart where the tetrahedra around them do not hang together by faces. Facets with
-/// the same vertices come apart. Where no renumbering of vertices can separate two simplices with the same
-/// vertices, facets around one of them are taken out of their neighbourhood. Cost: sorting. \throw InputError
-/// for a facet that repeats a vertex, naming it
+/// vertices and edges come apart where the tetrahedra around them do not hang together by faces, and vertices
+/// whose link is neither a sphere nor a disk are parted into several. Facets with the same vertices come
+/// apart. Where no renumbering of vertices can separate two simplices with the same vertices, facets around
+/// one of them are taken out of their neighbourhood. Cost: sorting. \throw InputError for a facet that
+/// repeats a vertex, naming it
 Cut cut(const FacetList& facets, const CutOptions& options = {});
 
 }  // namespace multimesh

@@ -3,16 +3,16 @@
 // corners a vertex, take tetrahedra out where simplices with the same vertices are not the same one, again.
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "multimesh/cut.hpp"
 #include "multimesh/pair_numbers.hpp"
+#include "multimesh/tet_sides.hpp"
 #include "multimesh/union_find.hpp"
 
 namespace multimesh {
 
 namespace {
-
-constexpr int edge_corner[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 class TetCutter {
  public:
@@ -32,59 +32,22 @@ class TetCutter {
  private:
   Index tets() const { return static_cast<Index>(in_.size()); }
 
-  /// The corners of side 4 t + f, so that their vertices ascend.
-  template <class VertexOf>
-  static std::array<Index, 3> side_corners(Index side, const VertexOf& vertex) {
-    std::array<Index, 3> c{};
-    for (Index i = 0, n = 0; i < 4; ++i)
-      if (i != side % 4) c[n++] = side - side % 4 + i;
-    if (vertex(c[0]) > vertex(c[1])) std::swap(c[0], c[1]);
-    if (vertex(c[1]) > vertex(c[2])) std::swap(c[1], c[2]);
-    if (vertex(c[0]) > vertex(c[1])) std::swap(c[0], c[1]);
-    return c;
-  }
-
   std::array<Index, 3> input_corners(Index side) const {
     return side_corners(side, [&](Index c) { return in_.corners[c]; });
   }
 
-  // Sides with the same three vertices, if they are just two, are joined. Buckets by the least vertex.
+  // Sides with the same three vertices, if they are just two, are joined.
   void join_faces() {
     partner_.assign(4 * in_.size(), no_index);
-    std::vector<Index> begin(in_.vertices + 1, 0);
-    const auto least = [&](Index side) { return in_.corners[input_corners(side)[0]]; };
-    for (Index s = 0; s < partner_.size(); ++s) ++begin[least(s) + 1];
-    for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    std::vector<Index> sides(partner_.size()), end(begin.begin(), begin.end() - 1);
-    for (Index s = 0; s < partner_.size(); ++s) sides[end[least(s)]++] = s;
-    struct Side {
-      Index second, third, side;
-    };
-    std::vector<Side> bucket;
-    for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
-      bucket.clear();
-      for (Index i = begin[v]; i < begin[v + 1]; ++i) {
-        if (alone_[sides[i] / 4]) continue;
-        const auto c = input_corners(sides[i]);
-        bucket.push_back({in_.corners[c[1]], in_.corners[c[2]], sides[i]});
-      }
-      join_equal(bucket);
-    }
-  }
-
-  template <class Bucket>
-  void join_equal(Bucket& bucket) {
-    std::sort(bucket.begin(), bucket.end(), [](const auto& x, const auto& y) {
-      return std::array{x.second, x.third, x.side} < std::array{y.second, y.third, y.side};
+    std::vector<Index> here;
+    for_each_face(in_, [&](std::span<const Index> sides) {
+      here.clear();
+      std::copy_if(sides.begin(), sides.end(), std::back_inserter(here),
+                   [&](Index s) { return !alone_[s / 4]; });
+      if (here.size() != 2 || parted_[here[0]]) return;
+      partner_[here[0]] = here[1];
+      partner_[here[1]] = here[0];
     });
-    for (std::size_t i = 0, j; i < bucket.size(); i = j) {
-      for (j = i;
-           j < bucket.size() && bucket[j].second == bucket[i].second && bucket[j].third == bucket[i].third;)
-        ++j;
-      if (j - i != 2 || parted_[bucket[i].side]) continue;
-      partner_[bucket[i].side] = bucket[i + 1].side;
-      partner_[bucket[i + 1].side] = bucket[i].side;
-    }
   }
 
   void part(Index side) {
@@ -92,16 +55,9 @@ class TetCutter {
     partner_[side] = no_index;
   }
 
-  /// Whether two joined tetrahedra, as given, are oriented alike: the permutation of corners across is odd.
+  /// Whether two joined tetrahedra, as given, are oriented alike.
   bool agree(Index side, Index other) const {
-    const auto from = input_corners(side), to = input_corners(other);
-    std::array<Index, 4> q{};
-    q[side % 4] = other % 4;
-    for (std::size_t i = 0; i < 3; ++i) q[from[i] % 4] = to[i] % 4;
-    bool odd = false;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = i + 1; j < 4; ++j) odd ^= q[i] > q[j];
-    return odd;
+    return !is_even(across_sides(side, input_corners(side), other, input_corners(other)));
   }
 
   // Breadth first, so that a clash lies far from the first tetrahedron of its component.
@@ -168,7 +124,7 @@ class TetCutter {
     return set_fans_apart(edges.size()) || set_links_apart(edges.size());
   }
 
-  Index end(Index t, Index e, int i) const { return number_[4 * t + static_cast<Index>(edge_corner[e][i])]; }
+  Index end(Index t, Index e, int i) const { return number_[4 * t + edge_corners[e][i]]; }
 
   // Two tetrahedra that share more than one face.
   bool set_double_neighbours_apart() {
@@ -299,11 +255,7 @@ class TetCutter {
   }
 
   static Index edge_slot(Index corner, Index other) {
-    Index e = 0;
-    const int low = static_cast<int>(std::min(corner, other) % 4),
-              high = static_cast<int>(std::max(corner, other) % 4);
-    while (edge_corner[e][0] != low || edge_corner[e][1] != high) ++e;
-    return corner / 4 * 6 + e;
+    return corner / 4 * 6 + edge_number[corner % 4][other % 4];
   }
 
   Cut finish() {

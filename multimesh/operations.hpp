@@ -82,15 +82,13 @@ class Propagation {
   /// Swaps the edge of e = (a,b,x,..), interior in every mesh of dimension 2 or more that has it, and in no
   /// other: the facets around it are replaced by those that join x to the rest of their rim.
   ///
-  ///        b               b           Dimension 2: (a,b,l), (b,a,r) become (l,r,a), (r,l,b); natively where
-  ///        no
-  ///       /|\             / \          mesh of the tree has dimension 3, which leaves no dead elements.
-  ///      / | \           /   \         Dimension 3, rim x, y1, .., yn-1: n tetrahedra (a,b,.,.) become
-  ///     l  |  r   ->    l-----r        (a,x,yi,yi+1) and (b,x,yi,yi+1), 2 (n - 2): swap 3-2 for n = 3,
-  ///      \ | /           \   /         4-4, 5-6, ...; x chooses among the n results.
-  ///       \|/             \ /          Inverse: dimension 2, swap of l-r; n = 3, swap_face; n = 4, swap of
-  ///       the
-  ///        a               a           new edge x-y2.
+  ///        b               b
+  ///       /|\             / \         Dimension 2: (a,b,l), (b,a,r) become (l,r,a), (r,l,b). Inverse: swap of
+  ///      / | \           /   \        l-r. Native where no mesh of the tree has dimension 3: no dead elements.
+  ///     l  |  r   ->    l-----r
+  ///      \ | /           \   /        Dimension 3: swaps 3-2, 4-4, 5-6, .., by the rim x, y1, .., yn-1: all
+  ///       \|/             \ /         (a,b,.,.) become (a,x,yi,yi+1), (b,x,yi,yi+1); x chooses among n results.
+  ///        a               a          Inverse: n = 3, swap_face; n = 4, swap of the new edge x-y2.
   ///
   /// Equals a split at c and the collapse of c into x. Where the edge lies on a surface inside a tetrahedral
   /// mesh, x must be one of its two apexes there.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace multimesh {
@@ -35,19 +36,28 @@ constexpr PermutationTable make_permutations() {
 }
 inline constexpr PermutationTable permutations = make_permutations();
 
+/// Where the code of a permutation with these images is found; 2 bits each.
+constexpr std::size_t images_key(int p0, int p1, int p2, int p3) {
+  return static_cast<std::size_t>(p0 | p1 << 2 | p2 << 4 | p3 << 6);
+}
+inline constexpr auto codes_by_images = [] {
+  std::array<std::uint8_t, 256> table{};
+  for (std::uint8_t c = 0; c < 24; ++c) {
+    const auto& p = permutations[c];
+    table[images_key(p[0], p[1], p[2], p[3])] = c;
+  }
+  return table;
+}();
+
 }  // namespace detail
 
 constexpr int Permutation::operator[](int position) const noexcept {
   return detail::permutations[code][static_cast<std::size_t>(position)];
 }
 
-/// The permutation with the images p0..p3.
+/// The permutation with the images p0..p3, which are 0..3 in some order.
 constexpr Permutation permutation(int p0, int p1, int p2 = 2, int p3 = 3) noexcept {
-  for (std::uint8_t c = 0; c < 24; ++c) {
-    const auto& p = detail::permutations[c];
-    if (p[0] == p0 && p[1] == p1 && p[2] == p2 && p[3] == p3) return {c};
-  }
-  return {};
+  return {detail::codes_by_images[detail::images_key(p0, p1, p2, p3)]};
 }
 
 /// First p, then q: applying the result equals applying p and then q.
@@ -59,6 +69,14 @@ constexpr Permutation inverse(Permutation p) noexcept {
   for (std::uint8_t c = 0; c < 24; ++c)
     if (then(p, {c}).code == 0) return {c};
   return {};
+}
+
+/// Whether it is a product of an even number of exchanges.
+constexpr bool is_even(Permutation p) noexcept {
+  int inversions = 0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) inversions += p[i] > p[j];
+  return inversions % 2 == 0;
 }
 
 /// The effect of switch k on an ordering: positions k and k+1 are exchanged.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Operations made of splits and collapses: each a transaction of its own, counted as one.
 #include <algorithm>
+#include <string>
+#include <utility>
 
+#include "multimesh/faces.hpp"
 #include "multimesh/operations.hpp"
 
 namespace multimesh {
@@ -76,7 +79,7 @@ Outcome Propagation::swap_face(NodeId n, Dart f) {
     // The new edge w-v.
     mesh.star(done.dart, 0, star_);
     for (const Dart t : star_)
-      for (const Permutation p : {Permutation{}, permutation(0, 2, 1, 3), permutation(0, 3, 1, 2)})
+      for (const Permutation p : faces_around(3, 1, 0))
         if (mesh.vertex(mesh.reorder(mesh.reorder(t, p), exchange_ends)) == v)
           return {{}, mesh.reorder(t, p), tree_.to_root(n, mesh.reorder(t, p))};
     return done;

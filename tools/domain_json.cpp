@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/domain_json.hpp"
 
-#include <cmath>
 #include <iostream>
+#include <numbers>
 
 namespace multimesh::tools {
 
@@ -35,7 +35,7 @@ Json to_json(const DomainReport& r) {
     regions.push_back({{"tag", tag}, {"tetrahedra", region.tets}, {"volume", region.volume}});
   j["regions"] = std::move(regions);
   j["quality"] = {{"inverted_tetrahedra", r.inverted_tets},
-                  {"smallest_dihedral_angle_degrees", r.min_dihedral * 180 / M_PI}};
+                  {"smallest_dihedral_angle_degrees", r.min_dihedral * 180 / std::numbers::pi}};
   j["surface"] = r.surface ? to_json(*r.surface) : Json();
   j["patches"] = tags_json(r.patches, "triangles");
   j["curves"] = r.curves ? to_json(*r.curves) : Json();

@@ -107,7 +107,7 @@ void run(ImproveArguments a) {
   if (!a.json.empty()) check_output_path(a.json, {a.input, a.output});
   DomainFile file = read_domain_file(a.input);
   TetDomainOptions options;
-  if (a.feature_angle > 0) options.feature_angle = a.feature_angle * M_PI / 180;
+  if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
   for (int i = 0; i < 3; ++i)
     if (a.splits == split_names[i]) a.options.surface_splits = static_cast<SurfaceSplits>(i);
   TetDomain domain(take_tetrahedra(file), options);

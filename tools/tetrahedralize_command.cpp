@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
-#include <cmath>
 #include <iostream>
 #include <memory>
+#include <numbers>
 
+#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #include "tools/domain_file.hpp"
@@ -43,7 +44,7 @@ FacetList joined_triangles(const io::SimplexSoup& soup, std::vector<std::string>
   return list;
 }
 
-tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a, const io::SimplexSoup& soup) {
+tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a, const DomainFile& file) {
   tetgen::TetrahedralizeOptions o;
   o.keep = a.keep == "all"       ? tetgen::Keep::all
            : a.keep == "winding" ? tetgen::Keep::winding
@@ -51,10 +52,7 @@ tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a, c
   o.max_volume = a.max_volume;
   o.edge_length = a.length;
   if (a.relative_length > 0) {
-    std::array<double, 3> low = soup.points.front(), high = low;
-    for (const auto& p : soup.points)
-      for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
-    o.edge_length = a.relative_length * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    o.edge_length = a.relative_length * bounding_box_diagonal(triangles_of(file).positions);
   }
   o.radius_edge_ratio = a.ratio;
   o.min_dihedral = a.dihedral;
@@ -67,7 +65,7 @@ TaggedTetrahedra fill(const TetrahedralizeArguments& a, DomainFile& file) {
   const io::SimplexSoup& soup = file.soup;
   if (soup.simplices[2].size() == 0) throw InputError(a.input + ": has no triangle");
   const FacetList triangles = joined_triangles(soup, file.warnings);
-  tetgen::Tetrahedralization filled = tetgen::tetrahedralize(soup.points, triangles, tetgen_options(a, soup));
+  tetgen::Tetrahedralization filled = tetgen::tetrahedralize(soup.points, triangles, tetgen_options(a, file));
   TaggedTetrahedra t;
   t.points = std::move(filled.points);
   t.tets = std::move(filled.tets);
@@ -88,7 +86,7 @@ void run(const TetrahedralizeArguments& a) {
   check_output_path(a.output, {a.input});
   DomainFile file = read_domain_file(a.input);
   TetDomainOptions options;
-  if (a.feature_angle > 0) options.feature_angle = a.feature_angle * M_PI / 180;
+  if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
   const TaggedTetrahedra filled = [&] {
     try {
       return fill(a, file);

@@ -13,27 +13,14 @@ namespace multimesh::tet {
 /// re-ordering r on the right, product[p][r], another ordering in the same tetrahedron.
 inline constexpr auto product = [] {
   std::array<std::array<std::uint8_t, 32>, 32> table{};
-  std::uint8_t code_of[256] = {};
-  const auto key = [](int a, int b, int c, int d) {
-    return static_cast<std::size_t>(a | b << 2 | c << 4 | d << 6);
-  };
-  for (std::uint8_t c = 0; c < 24; ++c) {
-    const Permutation p{c};
-    code_of[key(p[0], p[1], p[2], p[3])] = c;
-  }
   for (std::uint8_t q = 0; q < 24; ++q)
-    for (std::uint8_t p = 0; p < 24; ++p) {
-      const Permutation a{q}, b{p};
-      table[q][p] = code_of[key(a[b[0]], a[b[1]], a[b[2]], a[b[3]])];
-    }
+    for (std::uint8_t p = 0; p < 24; ++p) table[q][p] = then({q}, {p}).code;
   return table;
 }();
 
 inline constexpr auto inverse_code = [] {
   std::array<std::uint8_t, 32> table{};
-  for (std::uint8_t p = 0; p < 24; ++p)
-    for (std::uint8_t q = 0; q < 24; ++q)
-      if (product[q][p] == 0) table[p] = q;
+  for (std::uint8_t p = 0; p < 24; ++p) table[p] = inverse({p}).code;
   return table;
 }();
 
@@ -49,17 +36,5 @@ inline constexpr auto exchange = [] {
     }
   return table;
 }();
-
-/// Whether it is an even number of exchanges; gluing two tetrahedra of the same orientation is odd.
-constexpr bool is_even(Permutation p) {
-  int inversions = 0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j) inversions += p[i] > p[j];
-  return inversions % 2 == 0;
-}
-
-/// Number of the edge between local corners i and j.
-inline constexpr std::uint8_t edge_number[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
-inline constexpr std::uint8_t edge_corners[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 }  // namespace multimesh::tet

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "adapters/tet/codes.hpp"
-#include "multimesh/faces.hpp"
+#include "multimesh/tet_sides.hpp"
 
 namespace multimesh::tet {
 
@@ -43,11 +43,11 @@ Index TetMesh::simplex(Dart dart, int k) const {
     const std::uint32_t n = across(d, 3);
     return n == no_glue ? slot : std::min(slot, static_cast<Index>(4 * (n >> 5) + local(n, 3)));
   }
-  Ring ring;
-  edge_ring(d, ring);
-  Index least = no_index;
-  for (const std::uint32_t r : ring.darts)
-    least = std::min(least, 6 * (r >> 5) + edge_number[local(r, 0)][local(r, 1)]);
+  Index least = edge_slot(d);
+  std::uint32_t r = turned(d, 2);
+  for (; r != no_glue && r != d; r = turned(r, 2)) least = std::min(least, edge_slot(r));
+  if (r == no_glue)
+    for (r = turned(d, 3); r != no_glue; r = turned(r, 3)) least = std::min(least, edge_slot(r));
   return least;
 }
 
@@ -118,16 +118,21 @@ void TetMesh::vertex_star(std::uint32_t d, std::vector<std::uint32_t>& out) cons
     }
 }
 
+Index TetMesh::edge_slot(std::uint32_t d) {
+  return 6 * (d >> 5) + edge_number[local(d, 0)][local(d, 1)];
+}
+
+// From (a,b,x,y) around a-b: position 2 leads on, to (a,b,y,z), position 3 back.
+std::uint32_t TetMesh::turned(std::uint32_t d, int position) const {
+  const std::uint32_t n = across(d, position);
+  return n == no_glue ? no_glue : (n & ~31U) | product[n & 31U][transposition(2).code];
+}
+
 // From the face (a,b,y) on; if that ends at the boundary, from (a,b,x) in the other direction, too.
 void TetMesh::edge_ring(std::uint32_t d, Ring& ring) const {
-  constexpr std::uint8_t turn = transposition(2).code;
-  const auto next = [&](std::uint32_t r, int position) {
-    const std::uint32_t n = across(r, position);
-    return n == no_glue ? no_glue : (n & ~31U) | product[n & 31U][turn];
-  };
   ring.darts.assign(1, d);
   ring.closed = false;
-  for (std::uint32_t r = next(d, 2); r != no_glue; r = next(r, 2)) {
+  for (std::uint32_t r = turned(d, 2); r != no_glue; r = turned(r, 2)) {
     if (r == d) {
       ring.closed = true;
       break;
@@ -136,7 +141,7 @@ void TetMesh::edge_ring(std::uint32_t d, Ring& ring) const {
   }
   if (!ring.closed) {
     const std::size_t ahead = ring.darts.size();
-    for (std::uint32_t r = next(d, 3); r != no_glue; r = next(r, 3)) ring.darts.push_back(r);
+    for (std::uint32_t r = turned(d, 3); r != no_glue; r = turned(r, 3)) ring.darts.push_back(r);
     const auto behind = ring.darts.begin() + static_cast<std::ptrdiff_t>(ahead);
     std::reverse(behind, ring.darts.end());
     std::rotate(ring.darts.begin(), behind, ring.darts.end());

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,7 @@ class TetMesh final : public Mesh {
   static Index tet(Dart d) { return code(d) >> 5; }
 
   // --- neighbourhoods
+  /// Of an edge (a,b,x0,x1): in turn, (a,b,x0,x1), (a,b,x1,x2), ..; from boundary to boundary if it has one.
   void star(Dart d, int k, DartBuffer& out) const override;
   bool is_boundary(Dart d, int k) const override;
   bool is_locked(Index v) const override { return flags_[v] & locked; }
@@ -207,6 +209,8 @@ class TetMesh final : public Mesh {
   Index at(std::uint32_t d, int position) const { return tets_[d >> 5].v[local(d, position)]; }
   /// The same ordering in the neighbour across the face that lacks this position; no_glue at the boundary.
   std::uint32_t across(std::uint32_t d, int position) const;
+  std::uint32_t turned(std::uint32_t d, int position) const;
+  static Index edge_slot(std::uint32_t d);
   SimplexKey key(Dart d, int k) const;
 
   // neighbourhoods
@@ -217,8 +221,8 @@ class TetMesh final : public Mesh {
   bool boundary_link_is_common(const Ring& ring, Index a, Index b) const;
 
   // construction
-  void glue_faces();
-  void glue_pair(std::uint32_t side, std::uint32_t other);
+  [[noreturn]] static void refuse_third_side(const FacetList& tets, std::span<const Index> sides);
+  void glue_pair(const FacetList& tets, Index side, Index other);
   void name_vertices();
   void refuse_singular_vertices() const;
   const char* star_fault(Index v, Index tets_around) const;

@@ -3,7 +3,6 @@
 
 #include "adapters/tet/codes.hpp"
 #include "adapters/tet/tet_mesh.hpp"
-#include "multimesh/faces.hpp"
 
 namespace multimesh::tet {
 

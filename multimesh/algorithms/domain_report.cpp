@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/domain_report.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <numbers>
 
+#include "multimesh/algorithms/tet_shape.hpp"
 #include "multimesh/pair_numbers.hpp"
+#include "multimesh/tet_sides.hpp"
 #include "multimesh/union_find.hpp"
 
 namespace multimesh {
@@ -22,21 +23,11 @@ std::size_t count_roots(UnionFind& sets, const std::vector<bool>& used) {
 
 /// The smallest angle between two faces.
 double min_dihedral(const Point (&p)[4]) {
-  double least = M_PI;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < i; ++j) {
-      int rest[2], n = 0;
-      for (int k = 0; k < 4; ++k)
-        if (k != i && k != j) rest[n++] = k;
-      // Around the edge i-j, the angle between the directions to the other two corners.
-      const Point edge = (p[j] - p[i]).normalized();
-      const auto direction = [&](int k) -> Point {
-        const Point d = p[k] - p[i];
-        return d - d.dot(edge) * edge;
-      };
-      const Point x = direction(rest[0]), y = direction(rest[1]);
-      least = std::min(least, std::atan2(x.cross(y).norm(), x.dot(y)));
-    }
+  double least = std::numbers::pi;
+  for (const auto& [i, j] : edge_corners) {
+    const auto& [k, l] = edge_corners[5 - edge_number[i][j]];  // the opposite edge
+    least = std::min(least, dihedral_angle(p[i], p[j], p[k], p[l]));
+  }
   return least;
 }
 
@@ -82,12 +73,12 @@ DomainReport report(const TetDomain& domain) {
   DomainReport r;
   const tet::TetMesh& mesh = domain.mesh();
   r.tets = report_tets(mesh);
-  r.min_dihedral = M_PI;
+  r.min_dihedral = std::numbers::pi;
   for (Index t = 0; t < mesh.capacity(3); ++t) {
     if (!mesh.is_live(3, t)) continue;
     Point p[4];
     for (int i = 0; i < 4; ++i) p[i] = domain.points()[mesh.corners(t)[i]];
-    const double volume = (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) / 6;
+    const double volume = six_volume(p[0], p[1], p[2], p[3]) / 6;
     r.inverted_tets += !(volume > 0);
     r.min_dihedral = std::min(r.min_dihedral, min_dihedral(p));
     RegionReport& region = r.regions[domain.regions()[t]];

@@ -4,7 +4,6 @@
 #include <set>
 #include <string>
 
-#include "adapters/tet/codes.hpp"
 #include "multimesh/algorithms/tet_domain_data.hpp"
 
 namespace multimesh {
@@ -149,7 +148,7 @@ TaggedTetrahedra TetDomain::tagged() const {
       // Of boundary triangles, the normal points outwards: away from the fourth vertex.
       const Dart image = d.tree->to_parent(*d.surface, mesh.dart_of(2, f));
       root.vertices(image, v);
-      if (root.is_boundary(image, 2) && tet::is_even(root.order(tet::TetMesh::dart(root.tet(image)), image)))
+      if (root.is_boundary(image, 2) && is_even(root.order(tet::TetMesh::dart(root.tet(image)), image)))
         std::swap(v[0], v[1]);
       for (int i = 0; i < 3; ++i) out.triangles.corners.push_back(point(v[i]));
       out.patches.push_back((*d.patches)[f]);

@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 
+#include "adapters/openmesh/add_values.hpp"
 #include "adapters/tet/simplex_map.hpp"
 #include "multimesh/algorithms/make_mesh.hpp"
+#include "multimesh/algorithms/oriented_parts.hpp"
 #include "multimesh/algorithms/tet_domain_data.hpp"
+#include "multimesh/algorithms/tet_shape.hpp"
 #include "multimesh/build.hpp"
 #include "multimesh/faces.hpp"
-#include "multimesh/union_find.hpp"
 
 namespace multimesh {
 
@@ -27,38 +30,25 @@ Point point(const TaggedTetrahedra& input, Index i) {
   return {p[0], p[1], p[2]};
 }
 
-/// Six times the volume.
-double volume(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return (b - a).cross(c - a).dot(d - a);
-}
-
-/// Turns round the parts of the mesh whose volume is negative as a whole. \return how many tetrahedra
+/// Turns round the parts of the mesh whose volume is negative as a whole. \return how many tetrahedra are
+/// inverted after that
 std::size_t make_positive(const TaggedTetrahedra& input, Cut& cut) {
-  UnionFind parts(cut.facets.vertices);
-  std::vector<double> six_volumes(cut.facets.size());
+  std::vector<double> volumes(cut.facets.size());
   for (std::size_t t = 0; t < cut.facets.size(); ++t) {
     const auto v = cut.facets.facet(t);
-    for (std::size_t i = 1; i < 4; ++i) parts.join(v[0], v[i]);
-    six_volumes[t] = volume(point(input, cut.source[v[0]]), point(input, cut.source[v[1]]),
+    volumes[t] = six_volume(point(input, cut.source[v[0]]), point(input, cut.source[v[1]]),
                             point(input, cut.source[v[2]]), point(input, cut.source[v[3]]));
   }
-  std::vector<double> sum(cut.facets.vertices, 0);
-  for (std::size_t t = 0; t < six_volumes.size(); ++t)
-    sum[parts.find(cut.facets.corners[4 * t])] += six_volumes[t];
-  for (std::size_t t = 0; t < six_volumes.size(); ++t)
-    if (sum[parts.find(cut.facets.corners[4 * t])] < 0) {
+  const std::vector<bool> negative = in_negative_part(parts_of(cut.facets), volumes);
+  std::size_t inverted = 0;
+  for (std::size_t t = 0; t < volumes.size(); ++t) {
+    if (negative[t]) {
       std::swap(cut.facets.corners[4 * t], cut.facets.corners[4 * t + 1]);
       cut.reversed[t] = !cut.reversed[t];
-      six_volumes[t] = -six_volumes[t];
     }
-  return static_cast<std::size_t>(
-      std::count_if(six_volumes.begin(), six_volumes.end(), [](double v) { return !(v > 0); }));
-}
-
-template <class T, class Handle>
-std::vector<T>* add_property(OpenMesh::PolyConnectivity& om, Handle handle, const char* name) {
-  om.add_property(handle, name);
-  return &om.property(handle).data_vector();
+    inverted += !((negative[t] ? -volumes[t] : volumes[t]) > 0);
+  }
+  return inverted;
 }
 
 }  // namespace
@@ -128,8 +118,8 @@ void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options,
   out.surface = add_child_from_tags(
       *out.tree, NodeId::root, 2, [&](Index s) { return tagged[s]; }, make_mesh);
   auto& om = out.openmesh(*out.surface);
-  out.patches = add_property<Tag>(om, OpenMesh::FPropHandleT<Tag>(), "patch");
-  out.implied = add_property<char>(om, OpenMesh::FPropHandleT<char>(), "implied");
+  out.patches = &openmesh::add_values(om, OpenMesh::FPropHandleT<Tag>(), "patch");
+  out.implied = &openmesh::add_values(om, OpenMesh::FPropHandleT<char>(), "implied");
   for (std::size_t f = 0; f < faces.size(); ++f) {
     (*out.patches)[f] = faces[f].patch;
     (*out.implied)[f] = faces[f].implied;
@@ -148,7 +138,7 @@ struct CurveEdge {
   Tag tag = 0;
 
   bool is_sharp(double angle) const {
-    if (angle > M_PI) return false;
+    if (angle > std::numbers::pi) return false;
     const double cosine = normals[0].dot(normals[1]), sine = normals[0].cross(normals[1]).norm();
     return !normals[0].isZero() && !normals[1].isZero() && std::atan2(sine, cosine) >= angle;
   }
@@ -278,7 +268,7 @@ void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options,
   const CutOptions ends{[&](Index v) { return kinds[v].size() > 1; }};
   out.curves = add_child_from_tags(
       *out.tree, NodeId::root, 1, [&](Index s) { return tagged[s]; }, make_mesh, ends);
-  out.curve_tags = add_property<Tag>(out.openmesh(*out.curves), OpenMesh::EPropHandleT<Tag>(), "tag");
+  out.curve_tags = &openmesh::add_values(out.openmesh(*out.curves), OpenMesh::EPropHandleT<Tag>(), "tag");
   std::copy(tags.begin(), tags.end(), out.curve_tags->begin());
 }
 

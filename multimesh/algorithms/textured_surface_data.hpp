@@ -2,6 +2,7 @@
 // Private to the files textured_surface*.cpp.
 #pragma once
 
+#include "adapters/openmesh/add_values.hpp"
 #include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/algorithms/textured_surface.hpp"
 #include "multimesh/cut.hpp"
@@ -33,9 +34,7 @@ struct TexturedSurface::Data {
   /// The list of a new property, which the mesh owns.
   template <class Handle>
   auto* add_property(NodeId n, Handle handle, const char* name) {
-    auto& mesh = connectivity(n).openmesh();
-    mesh.add_property(handle, name);
-    return &mesh.property(handle).data_vector();
+    return &openmesh::add_values(connectivity(n).openmesh(), handle, name);
   }
 };
 

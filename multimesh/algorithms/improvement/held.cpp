@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "multimesh/faces.hpp"
+
 namespace multimesh::improvement {
 
 Held::Held(const TetDomain& domain, const std::vector<TetDomain::Tag>& locked_regions)
@@ -40,14 +42,12 @@ bool Held::curve(Dart e) const {
 }
 
 void Held::hold_faces() {
-  constexpr Permutation faces[4] = {permutation(1, 2, 3, 0), permutation(0, 2, 3, 1), permutation(0, 1, 3, 2),
-                                    permutation(0, 1, 2, 3)};
   for (Index t = 0; t < mesh_.capacity(3); ++t) {
     if (!mesh_.is_live(3, t)) continue;
     const Index* v = mesh_.corners(t);
     if (is_locked_tet(t))
       for (int i = 0; i < 4; ++i) strata_[v[i]] |= fixed;
-    for (const Permutation p : faces)
+    for (const Permutation p : faces_around(3, 2, -1))
       if (is_held_face(tet::TetMesh::dart(t, p)))
         for (int i = 0; i < 3; ++i) strata_[v[p[i]]] |= on_face;
   }

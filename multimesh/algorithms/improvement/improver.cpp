@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "multimesh/faces.hpp"
+#include "multimesh/tet_sides.hpp"
+
 namespace multimesh::improvement {
 
 namespace {
 
-constexpr int edges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 // Of a trial: how many operations may follow a split, and what it must gain.
 constexpr int longest_trial = 48;
 constexpr double trial_gain = 0.9;
@@ -76,13 +78,12 @@ void Improver::changed(Dart v) {
 
 bool Improver::swap_or_collapse(Index t, const Demand& demand) {
   Candidate best;
-  for (const auto& [i, j] : edges) candidates_.edge_swap(Workspace::edge(t, i, j), demand, best);
-  for (const Permutation p :
-       {Permutation{}, permutation(0, 1, 3, 2), permutation(0, 2, 3, 1), permutation(1, 2, 3, 0)})
+  for (const auto& [i, j] : edge_corners) candidates_.edge_swap(Workspace::edge(t, i, j), demand, best);
+  for (const Permutation p : faces_around(3, 2, -1))
     candidates_.face_swap(tet::TetMesh::dart(t, p), demand, best);
   const Corners c = work_.corners(t);
   for (int i = 0; i < 4; ++i) {
-    if (std::find(fresh_.begin(), fresh_.end(), c[static_cast<std::size_t>(i)]) != fresh_.end()) continue;
+    if (std::find(fresh_.begin(), fresh_.end(), c[i]) != fresh_.end()) continue;
     for (int j = 0; j < 4; ++j)
       if (i != j) candidates_.collapse(Workspace::edge(t, i, j), demand, best);
   }
@@ -97,7 +98,7 @@ bool Improver::smooth(Index t, const Demand& demand) {
 
 bool Improver::split(Index t, const Demand& demand) {
   Candidate best;
-  for (const auto& [i, j] : edges) candidates_.split(Workspace::edge(t, i, j), demand, best);
+  for (const auto& [i, j] : edge_corners) candidates_.split(Workspace::edge(t, i, j), demand, best);
   return take(best);
 }
 
@@ -142,7 +143,7 @@ bool Improver::try_splits(Index t) {
   const double before = work_.quality_of(t);
   Demand daring = demand_;
   daring.enough = flat;
-  for (const auto& [i, j] : edges) {
+  for (const auto& [i, j] : edge_corners) {
     Candidate split;
     candidates_.split(Workspace::edge(t, i, j), daring, split);
     if (split && attempt(before, [&] { return take(split); })) return true;
@@ -178,9 +179,8 @@ Dart Improver::longest_edge_near(Index t) const {
   const auto look_at = [&](Index s) {
     const Corners c = work_.corners(s);
     bool longer = false;
-    for (const auto& [i, j] : edges) {
-      const double length =
-          (work_.point(c[static_cast<std::size_t>(i)]) - work_.point(c[static_cast<std::size_t>(j)])).norm();
+    for (const auto& [i, j] : edge_corners) {
+      const double length = (work_.point(c[i]) - work_.point(c[j])).norm();
       if (length > longest) longest = length, e = Workspace::edge(s, i, j), longer = true;
     }
     return longer;
@@ -266,9 +266,8 @@ std::size_t Improver::resize() {
   const auto extreme = [&](Index t, Dart& e, const auto& measure) {
     const Corners c = work_.corners(t);
     double greatest = 0;
-    for (const auto& [i, j] : edges) {
-      const double m = measure(
-          (work_.point(c[static_cast<std::size_t>(i)]) - work_.point(c[static_cast<std::size_t>(j)])).norm());
+    for (const auto& [i, j] : edge_corners) {
+      const double m = measure((work_.point(c[i]) - work_.point(c[j])).norm());
       if (m > greatest) greatest = m, e = Workspace::edge(t, i, j);
     }
     return greatest;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/improvement/obstacles.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,25 +9,14 @@
 
 #include "multimesh/algorithms/improvement/bounds.hpp"
 #include "multimesh/algorithms/improvement/exact_place.hpp"
+#include "multimesh/algorithms/tet_shape.hpp"
+#include "multimesh/faces.hpp"
 
 namespace multimesh::improvement {
 
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-
-double angle_between(const Vec3& u, const Vec3& v) {
-  return std::atan2(u.cross(v).norm(), u.dot(v));
-}
-
-/// Of the tetrahedron (a,b,x,y) at a-b; radians.
-double dihedral(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) {
-  const Vec3 e = b - a;
-  return angle_between(e.cross(x - a), e.cross(y - a));
-}
-
-constexpr Permutation faces[4] = {permutation(1, 2, 3, 0), permutation(0, 2, 3, 1), permutation(0, 1, 3, 2),
-                                  permutation(0, 1, 2, 3)};
 
 }  // namespace
 
@@ -37,7 +25,7 @@ Obstacles::Obstacles(const Workspace& work, SurfaceSplits splits)
   const tet::TetMesh& mesh = work.mesh();
   for (Index t = 0; t < mesh.capacity(3); ++t) {
     if (!work.is_live(t)) continue;
-    for (const Permutation p : faces) {
+    for (const Permutation p : faces_around(3, 2, -1)) {
       const Dart f = tet::TetMesh::dart(t, p);
       if (!work.held().face(f)) continue;
       read_face(f);
@@ -59,8 +47,8 @@ void Obstacles::read_edge(Dart e) {
   work_.read_held_faces(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;
   const auto angle = [&](std::size_t i) {
-    return dihedral(work_.point(ring_.a), work_.point(ring_.b), work_.point(ring_.rim[i]),
-                    work_.point(ring_.next(i)));
+    return dihedral_angle(work_.point(ring_.a), work_.point(ring_.b), work_.point(ring_.rim[i]),
+                          work_.point(ring_.next(i)));
   };
   for (const std::size_t first : held) {
     if (first >= ring_.size()) continue;

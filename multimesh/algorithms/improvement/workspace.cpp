@@ -16,13 +16,6 @@ double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 namespace {
 
-constexpr bool is_even(Permutation p) {
-  int inversions = 0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j) inversions += p[i] > p[j];
-  return inversions % 2 == 0;
-}
-
 constexpr std::array<bool, 24> even = [] {
   std::array<bool, 24> table{};
   for (std::uint8_t c = 0; c < 24; ++c) table[c] = is_even({c});

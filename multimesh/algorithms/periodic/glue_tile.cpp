@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multimesh/union_find.hpp"
+#include "multimesh/algorithms/oriented_parts.hpp"
 
 namespace multimesh {
 
@@ -39,20 +39,16 @@ Eigen::Vector3d side_to_look_at(const LabelledTile& tile, const FacetList& list,
 
 // Per component of the root.
 void turn_positive(const LabelledTile& tile, FacetList& list, FacetList& root, std::vector<bool>& reversed) {
-  UnionFind sets(root.vertices);
-  for (std::size_t f = 0; f < root.size(); ++f)
-    for (const Index v : root.facet(f)) sets.join(root.facet(f)[0], v);
-  std::vector<Index> component(root.size());
-  for (std::size_t f = 0; f < root.size(); ++f) component[f] = sets.find(root.facet(f)[0]);
-
+  const std::vector<Index> component = parts_of(root);
   const bool flat = list.dimension == 2;
   const Eigen::Vector3d normal =
       flat ? side_to_look_at(tile, list, component) : Eigen::Vector3d(Eigen::Vector3d::Zero());
-  std::vector<double> size(root.vertices, 0);
+  std::vector<double> sizes(list.size());
   for (std::size_t f = 0; f < list.size(); ++f)
-    size[component[f]] += flat ? area_vector(tile, list, f).dot(normal) : volume(tile, list, f);
+    sizes[f] = flat ? area_vector(tile, list, f).dot(normal) : volume(tile, list, f);
+  const std::vector<bool> negative = in_negative_part(component, sizes);
   for (std::size_t f = 0; f < list.size(); ++f)
-    if (size[component[f]] < 0) {
+    if (negative[f]) {
       reverse(list, f), reverse(root, f);
       reversed[f] = !reversed[f];
     }

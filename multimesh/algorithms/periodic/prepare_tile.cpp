@@ -16,20 +16,12 @@ void check_lists(const PeriodicTile& in) {
   if (in.facets.corners.empty() || in.facets.corners.size() % in.facets.corners_per_facet() != 0)
     throw InputError("the tile has " + std::to_string(in.facets.corners.size()) + " corners, not " +
                      std::to_string(in.facets.corners_per_facet()) + " per facet");
-  for (std::size_t f = 0; f < in.facets.size(); ++f) {
-    const auto v = in.facets.facet(f);
-    for (std::size_t i = 0; i < v.size(); ++i) {
-      const std::string name = "facet " + std::to_string(f) + " of the tile";
-      if (v[i] >= in.points.size())
-        throw InputError(name + " names vertex " + std::to_string(v[i]) + " of " +
-                         std::to_string(in.points.size()));
-      if (std::find(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(i), v[i]) !=
-          v.begin() + static_cast<std::ptrdiff_t>(i))
-        throw InputError(name + " has vertex " + std::to_string(v[i]) + " twice; remove it");
-      if (!Eigen::Vector3d(in.points[v[i]].data()).allFinite())
-        throw InputError("the coordinates of vertex " + std::to_string(v[i]) + " are not finite");
-    }
-  }
+  FacetList facets = in.facets;
+  facets.vertices = static_cast<Index>(in.points.size());
+  require_corners(facets, [](std::size_t f) { return "facet " + std::to_string(f) + " of the tile"; });
+  for (const Index v : facets.corners)
+    if (!Eigen::Vector3d(in.points[v].data()).allFinite())
+      throw InputError("the coordinates of vertex " + std::to_string(v) + " are not finite");
 }
 
 Lattice lattice_of(const PeriodicOptions& options, const Eigen::Vector3d& extents, double tolerance) {

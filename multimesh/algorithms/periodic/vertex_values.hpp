@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/openmesh/add_values.hpp"
 #include "adapters/openmesh/connectivity.hpp"
 #include "adapters/tet/tet_mesh.hpp"
 
@@ -14,9 +15,7 @@ template <class T>
 std::vector<T>& add_vertex_values(Mesh& mesh, const std::string& name) {
   if (auto* tets = dynamic_cast<tet::TetMesh*>(&mesh)) return tets->add_vertex_property<T>(name).values;
   auto& om = dynamic_cast<openmesh::Connectivity&>(mesh).openmesh();
-  OpenMesh::VPropHandleT<T> handle;
-  om.add_property(handle, name);
-  return om.property(handle).data_vector();
+  return openmesh::add_values(om, OpenMesh::VPropHandleT<T>(), name);
 }
 
 /// \pre outside of transactions
