@@ -10,7 +10,7 @@
 
 namespace multimesh {
 
-/// Values on the vertices of one mesh that follow the operations. Writes are undone with the transaction.
+/// Values on one mesh that follow the operations. Writes are undone with the transaction.
 class Attribute {
  public:
   using Mark = std::size_t;
@@ -22,6 +22,8 @@ class Attribute {
   NodeId node() const noexcept { return node_; }
   /// Called once per copy and operation, after the connectivity of all meshes has changed, root first.
   virtual void update(Operation operation, const VertexChange& change) = 0;
+  /// Called once per operation, after all updates: for values on other simplices than vertices (corners, edges).
+  virtual void finish(const Event&) {}
   virtual Mark mark() const = 0;
   virtual void rollback(Mark mark) = 0;
   virtual void forget() = 0;

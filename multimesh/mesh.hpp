@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -163,11 +164,31 @@ class Mesh {
   /// Appends a sentence for everything that is wrong with the connectivity.
   virtual void check(std::vector<std::string>& problems) const = 0;
 
+  // --- edits by others: only of a mesh that others can reach, which is then watched
+  bool is_watched() const noexcept { return watched_; }
+  /// Whether there are as many elements as the calls above have left. Cost: constant
+  virtual bool same_counts() const { return true; }
+  /// Whether the star of a vertex is as they have left it. Cost: that of the star
+  virtual bool star_in_step(Index) const { return true; }
+  /// The first vertex whose star is not; nothing if the whole mesh is in step. Cost: linear
+  virtual std::optional<Index> first_out_of_step() const { return std::nullopt; }
+  /// What others have done. `moved`: where the elements have gone, as from compact(); none if the mesh is not
+  /// watched. `changed_vertex`: a vertex, by its new index, at which more than the indices is different.
+  struct Renumbering {
+    std::optional<Compaction> moved;
+    std::optional<Index> changed_vertex;
+  };
+  virtual Renumbering renumbering() const { return {}; }
+  /// From now on the connectivity as it is counts as ours. \pre the journal is empty
+  virtual void accept_edits() {}
+
  protected:
   explicit Mesh(int dimension) : dimension_(dimension) {}
+  void set_watched() noexcept { watched_ = true; }
 
  private:
   int dimension_;
+  bool watched_ = false;
   mutable DartBuffer star_;
 };
 

@@ -58,6 +58,7 @@ NodeId MultiMesh::lowest_common_ancestor(NodeId a, NodeId b) const {
 }
 
 void MultiMesh::require_dart(NodeId n, Dart d) const {
+  require_same_counts();
   if (!mesh(n).is_dart(d))
     throw UsageError("dart " + std::to_string(code(d)) + " is not a live dart of mesh " +
                      std::to_string(index(n)) + "; darts die in operations and in compact()");
@@ -278,8 +279,16 @@ bool MultiMesh::has_preimage(NodeId from, Dart d, int k, NodeId descendant) cons
 
 std::vector<Compaction> MultiMesh::compact() {
   if (open_transactions_ > 0) throw UsageError("compact inside a transaction");
+  require_in_step();
   std::vector<Compaction> moved(nodes_.size());
   for (const NodeId n : top_down_) moved[index(n)] = nodes_[index(n)].mesh->compact();
+  follow(moved);
+  return moved;
+}
+
+// New names for the darts of anchors and for the facets in links. No entry: the mesh's own are the old ones.
+void MultiMesh::follow(const std::vector<Compaction>& moved) {
+  const auto renamed = [](const Compaction& c, Dart d) { return c.simplices.empty() ? d : c.dart(d); };
   for (const NodeId n : top_down_) {
     if (n == NodeId::root) continue;
     Node& c = nodes_[index(n)];
@@ -288,12 +297,12 @@ std::vector<Compaction> MultiMesh::compact() {
     const int k = c.mesh->dimension();
     for (Index f = 0; f < c.mesh->capacity(k); ++f) {
       const Anchor a = c.mesh->anchor(f);
-      c.mesh->set_anchor(f, {own.dart(a.own), above.dart(a.parent)});
+      c.mesh->set_anchor(f, {renamed(own, a.own), renamed(above, a.parent)});
     }
-    nodes_[index(c.parent)].mesh->remap_links(c.links, own.simplices[static_cast<std::size_t>(k)]);
+    if (!own.simplices.empty())
+      nodes_[index(c.parent)].mesh->remap_links(c.links, own.simplices[static_cast<std::size_t>(k)]);
   }
   for (const NodeId n : top_down_) nodes_[index(n)].mesh->forget();
-  return moved;
 }
 
 }  // namespace multimesh

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -96,6 +97,20 @@ class MultiMesh {
   /// \throw UsageError unless d is a dart of a live facet of n
   void require_dart(NodeId n, Dart d) const;
 
+  // --- edits by others, of meshes that they can reach (attached OpenMesh meshes)
+  /// Operations ask by themselves, before they touch anything, whether elements were added or removed
+  /// anywhere and whether the stars that they read are as they were left. This asks everywhere. \throw
+  /// OutOfStepError naming the mesh and a vertex. Cost: linear
+  void require_in_step() const;
+  /// Follows edits that others have made since: elements that were given new indices by a garbage collection,
+  /// and any others after which every map is still a containment map (new faces; changes where no child is).
+  /// \return what moved where, by node index, as from compact(); empty for meshes with nothing to follow
+  /// \throw OutOfStepError if a map is lost, saying where; then only detach() helps, and making the children
+  /// anew.
+  ///        UsageError inside a transaction. Cost: linear. Invalidates all darts and indices that the caller
+  ///        holds.
+  std::vector<Compaction> resync();
+
  private:
   friend class Transaction;
   friend class Propagation;
@@ -117,6 +132,9 @@ class MultiMesh {
   }
   Node& node(NodeId n) { return const_cast<Node&>(std::as_const(*this).node(n)); }
   void remember_order();
+  void require_star_in_step(NodeId n, Dart d, int k) const;
+  void require_same_counts() const;
+  void follow(const std::vector<Compaction>& moved);
   void unlink_from_parent(NodeId n);
 
   /// Link of the parent's simplex at d to a facet of the child.
@@ -137,6 +155,7 @@ class MultiMesh {
   std::vector<Node> nodes_;       // by NodeId; a removed node has no mesh
   std::vector<NodeId> top_down_;  // live nodes, parents first
   int open_transactions_ = 0;
+  std::string lost_;  // what resync() could not follow
   mutable DartBuffer star_;
 };
 

@@ -11,13 +11,25 @@ void Propagation::stage() {
   if (on_stage) on_stage(stage_++);
 }
 
-// Maps the simplex to the root and finds its copies everywhere.
 void Propagation::start(NodeId n, Dart d, int k) {
-  tree_.require_dart(n, d);
+  find_copies(n, d, k);
   ++statistics_.tried;
   stage_ = 0;
   changes_.clear();
-  copies_.collect(tree_, tree_.to_root(n, d), k);
+}
+
+// Maps the simplex to the root and finds its copies everywhere. What others may have edited is looked at before it
+// is walked through: a walk from a dead halfedge need not end.
+void Propagation::find_copies(NodeId n, Dart d, int k) {
+  tree_.require_dart(n, d);
+  tree_.require_star_in_step(n, d, k);
+  for (; n != NodeId::root; n = tree_.parent(n)) {
+    d = tree_.to_parent(n, d);
+    tree_.require_star_in_step(tree_.parent(n), d, k);
+  }
+  copies_.collect(tree_, d, k);
+  for (std::size_t i = 1; i < copies_.size(); ++i)
+    tree_.require_star_in_step(copies_[i].node, copies_[i].dart, k);
 }
 
 std::size_t Propagation::copy_of(NodeId n, Dart d, int k) const {
@@ -43,10 +55,11 @@ Refusal Propagation::ask(bool (Invariant::*when)(const Event&), const Event& eve
   return {};
 }
 
-void Propagation::update_attributes(Operation operation) {
+void Propagation::update_attributes(const Event& event) {
   for (const VertexChange& c : changes_)
     for (Attribute* a : attributes_)
-      if (a->node() == c.node) a->update(operation, c);
+      if (a->node() == c.node) a->update(event.operation, c);
+  for (Attribute* a : attributes_) a->finish(event);
 }
 
 // All faces of the facets around the ends of each copy, and around the new ends of a flipped one, each once.
@@ -103,7 +116,7 @@ Outcome Propagation::swap(NodeId n, Dart e) {
     tree_.mesh(node).set_anchor(facet, anchor);
     tree_.set_link_of(node, anchor.parent, facet);
   }
-  update_attributes(Operation::flip);
+  update_attributes(event);
   stage();
   if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
   stage();
@@ -151,7 +164,7 @@ Outcome Propagation::relocate(NodeId n, Dart v, const std::function<void(const E
         c.node == NodeId::root ? no_index : tree_.mesh(tree_.parent(c.node)).vertex(copies_[c.above].dart);
     changes_.push_back({own, own, own, 0, c.node, above});
   }
-  update_attributes(Operation::relocate);
+  update_attributes(event);
   stage();
   if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
   transaction.commit();
@@ -159,8 +172,7 @@ Outcome Propagation::relocate(NodeId n, Dart v, const std::function<void(const E
 }
 
 CollapseVerdict Propagation::judge(NodeId n, Dart e) {
-  tree_.require_dart(n, e);
-  copies_.collect(tree_, tree_.to_root(n, e), 1);
+  find_copies(n, e, 1);
   return legality_.collapse(tree_, copies_, legality_options_);
 }
 

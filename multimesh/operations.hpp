@@ -140,9 +140,10 @@ class Propagation {
   Outcome succeed(Dart dart, Dart root);
   std::size_t copy_of(NodeId n, Dart d, int k) const;
   void start(NodeId n, Dart d, int k);
+  void find_copies(NodeId n, Dart d, int k);
   void stage();
   Refusal ask(bool (Invariant::*when)(const Event&), const Event& event);
-  void update_attributes(Operation operation);
+  void update_attributes(const Event& event);
   void protect_neighbourhoods(Operation operation);
 
   void split_copy(std::size_t i);

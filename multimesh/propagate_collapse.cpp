@@ -70,7 +70,7 @@ Outcome Propagation::collapse_judged(std::size_t asked, double t) {
     changes_.push_back({r.dead, r.survivor, r.survivor, t, c.node, above});
   }
   stage();
-  update_attributes(Operation::collapse);
+  update_attributes(event);
   stage();
   if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
   stage();

@@ -29,7 +29,7 @@ Outcome Propagation::split(NodeId n, Dart e, double t) {
     changes_.push_back({r.a, r.b, r.vertex, t, c.node, above});
   }
   stage();
-  update_attributes(Operation::split);
+  update_attributes(event);
   stage();
   if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
   stage();

@@ -36,6 +36,7 @@ Connectivity::Connectivity(int dimension, OpenMesh::PolyConnectivity& om) : Mesh
 }
 
 Connectivity::~Connectivity() {
+  watch_.reset();
   remove_anchors();
   for (std::size_t i = 0; i < links_.size(); ++i)
     if (links_[i].used) remove_links(static_cast<LinkSet>(i));
@@ -75,9 +76,44 @@ void Connectivity::refuse_double_attachment() const {
     throw UsageError("this OpenMesh mesh is already part of a multimesh; detach it first");
 }
 
+void Connectivity::watch() {
+  watch_ = std::make_unique<Watch>(om_);
+  set_watched();
+}
+
+template <class Write>
+void Connectivity::watched(std::initializer_list<int> halfedges, const Write& write) {
+  if (watch_)
+    for (const int h : halfedges) watch_->leave_out(h);
+  write();
+  if (watch_)
+    for (const int h : halfedges) watch_->put_in(h);
+}
+
+void Connectivity::write_to(int h, int v) {
+  watched({h, h ^ 1}, [&] { om_.set_vertex_handle(handle(h), OpenMesh::VertexHandle(v)); });
+}
+
+void Connectivity::write_face(int h, int f) {
+  watched({h}, [&] { om_.set_face_handle(handle(h), OpenMesh::FaceHandle(f)); });
+}
+
+void Connectivity::write_edge_status(std::uint32_t e, unsigned bits) {
+  const int h = 2 * signed_word(e);
+  watched({h, h + 1}, [&] { (*edge_status_)[e].set_bits(bits); });
+}
+
+void Connectivity::pop(std::size_t vertices, std::size_t edges, std::size_t faces) {
+  if (vertices == om_.n_vertices() && edges == om_.n_edges() && faces == om_.n_faces()) return;
+  if (watch_)
+    for (std::size_t h = 2 * edges; h < om_.n_halfedges(); ++h) watch_->leave_out(static_cast<int>(h));
+  om_.resize(vertices, edges, faces);
+  if (watch_) watch_->note_counts();
+}
+
 void Connectivity::set_to(int h, int v) {
   log(Word::to, word(h), word(to(h)));
-  om_.set_vertex_handle(handle(h), OpenMesh::VertexHandle(v));
+  write_to(h, v);
 }
 
 void Connectivity::set_next(int h, int n) {
@@ -88,7 +124,7 @@ void Connectivity::set_next(int h, int n) {
 
 void Connectivity::set_face(int h, int f) {
   log(Word::face, word(h), word(face(h)));
-  om_.set_face_handle(handle(h), OpenMesh::FaceHandle(f));
+  write_face(h, f);
 }
 
 void Connectivity::set_out(int v, int h) {
@@ -107,8 +143,9 @@ void Connectivity::kill_vertex(int v) {
 }
 
 void Connectivity::kill_edge(int e) {
-  log(Word::edge_status, word(e), (*edge_status_)[at(e)].bits());
-  (*edge_status_)[at(e)].set_deleted(true);
+  const unsigned bits = (*edge_status_)[at(e)].bits();
+  log(Word::edge_status, word(e), bits);
+  write_edge_status(word(e), bits | OpenMesh::Attributes::DELETED);
   if (!om_.has_halfedge_status()) return;
   // Restored with the edge: the halfedges of a live edge are live.
   om_.status(handle(2 * e)).set_deleted(true);
@@ -128,17 +165,25 @@ void Connectivity::log_counts() {
 
 int Connectivity::new_vertex() {
   log_counts();
-  return om_.ArrayKernel::new_vertex().idx();
+  return named(0, om_.ArrayKernel::new_vertex().idx());
 }
 
 int Connectivity::new_edge(int from, int to) {
   log_counts();
-  return om_.ArrayKernel::new_edge(OpenMesh::VertexHandle(from), OpenMesh::VertexHandle(to)).idx();
+  const int h = om_.ArrayKernel::new_edge(OpenMesh::VertexHandle(from), OpenMesh::VertexHandle(to)).idx();
+  named(1, h >> 1);
+  if (watch_) watch_->put_in(h), watch_->put_in(h ^ 1);
+  return h;
 }
 
 int Connectivity::new_face() {
   log_counts();
-  return om_.ArrayKernel::new_face().idx();
+  return named(2, om_.ArrayKernel::new_face().idx());
+}
+
+int Connectivity::named(int k, int element) {
+  if (watch_) watch_->name(k, element), watch_->note_counts();
+  return element;
 }
 
 void Connectivity::copy_edge_properties(int from_halfedge, int to_halfedge) {
@@ -147,19 +192,29 @@ void Connectivity::copy_edge_properties(int from_halfedge, int to_halfedge) {
   for (auto p = om_.hprops_begin(); p != om_.hprops_end(); ++p)
     if (*p)
       for (const int side : {0, 1}) (*p)->copy(at(from_halfedge ^ side), at(to_halfedge ^ side));
+  named(1, to_halfedge >> 1);
+}
+
+void Connectivity::copy_corner_properties(int from_halfedge, int to_halfedge) {
+  const OpenMesh::BaseProperty* status =
+      om_.has_halfedge_status() ? &om_.property(om_.halfedge_status_pph()) : nullptr;
+  for (auto p = om_.hprops_begin(); p != om_.hprops_end(); ++p)
+    if (*p && *p != status) (*p)->copy(at(from_halfedge), at(to_halfedge));
 }
 
 void Connectivity::copy_face_properties(int from, int to) {
   for (auto p = om_.fprops_begin(); p != om_.fprops_end(); ++p)
     if (*p) (*p)->copy(at(from), at(to));
+  named(2, to);
 }
 
-// Everything but the status, which has the deleted bit and is journaled by itself.
+// Everything but the status, which has the deleted bit and is journaled by itself, and what tells elements
+// apart.
 void Connectivity::copy_properties(int k, std::size_t from, std::size_t to) {
   const auto copy = [](auto begin, auto end, const OpenMesh::BaseProperty* status, std::size_t i,
                        std::size_t j) {
     for (auto p = begin; p != end; ++p)
-      if (*p && *p != status) (*p)->copy(i, j);
+      if (*p && *p != status && !Watch::owns(**p)) (*p)->copy(i, j);
   };
   if (k == 0) {
     copy(om_.vprops_begin(), om_.vprops_end(), &om_.property(om_.vertex_status_pph()), from, to);
@@ -189,12 +244,11 @@ void Connectivity::forget() {
   if (spares_[0].empty() && spares_[1].empty() && spares_[2].empty()) return;
   // Spares at the end can go; others stay, as dead elements do, until the mesh is compacted.
   std::size_t n[3] = {om_.n_vertices(), om_.n_edges(), om_.n_faces()};
-  bool popped = false;
   for (int k = 0; k < 3; ++k) {
     for (; !spares_[k].empty(); spares_[k].pop_back())
-      if (at(spares_[k].back()) + 1 == n[k]) --n[k], popped = true;
+      if (at(spares_[k].back()) + 1 == n[k]) --n[k];
   }
-  if (popped) om_.resize(n[0], n[1], n[2]);
+  pop(n[0], n[1], n[2]);
 }
 
 void Connectivity::rollback(Mark mark) {
@@ -208,13 +262,9 @@ void Connectivity::rollback(Mark mark) {
 // not its value, an older entry of the journal restores it later on.
 void Connectivity::undo(const Entry& e) {
   const int i = signed_word(e.index), old = signed_word(e.old);
-  const auto pop = [&](std::size_t vertices, std::size_t edges, std::size_t faces) {
-    if (vertices != om_.n_vertices() || edges != om_.n_edges() || faces != om_.n_faces())
-      om_.resize(vertices, edges, faces);
-  };
   switch (e.word) {
     case Word::to:
-      om_.set_vertex_handle(handle(i), OpenMesh::VertexHandle(old));
+      write_to(i, old);
       break;
     case Word::next:
       if (old >= 0) om_.set_next_halfedge_handle(handle(i), handle(old));  // else i is about to be popped
@@ -223,7 +273,7 @@ void Connectivity::undo(const Entry& e) {
       if (old >= 0) om_.set_prev_halfedge_handle(handle(i), handle(old));
       break;
     case Word::face:
-      om_.set_face_handle(handle(i), OpenMesh::FaceHandle(old));
+      write_face(i, old);
       break;
     case Word::out:
       om_.set_halfedge_handle(OpenMesh::VertexHandle(i), handle(old));
@@ -235,7 +285,7 @@ void Connectivity::undo(const Entry& e) {
       (*vertex_status_)[e.index].set_bits(e.old);
       break;
     case Word::edge_status:
-      (*edge_status_)[e.index].set_bits(e.old);
+      write_edge_status(e.index, e.old);
       if (om_.has_halfedge_status())
         for (const int h : {2 * i, 2 * i + 1}) om_.status(handle(h)).set_deleted(false);
       break;
@@ -370,10 +420,34 @@ Compaction Connectivity::compact() {
   } else {
     (void)faces.finish();
   }
-  // Garbage collection keeps the parity of halfedges; a dart is a halfedge and, in 2D, a flip bit.
+  set_dart_blocks(moved);
+  if (watch_) watch_->accept();
+  return moved;
+}
+
+// Garbage collection keeps the parity of halfedges; a dart is a halfedge and, in 2D, a flip bit.
+void Connectivity::set_dart_blocks(Compaction& moved) const {
   moved.blocks = moved.simplices[1];
   moved.block_bits = dimension() == 2 ? 2 : 1;
-  return moved;
+}
+
+std::optional<Index> Connectivity::first_out_of_step() const {
+  const std::optional<int> v = watch_ ? watch_->first_out_of_step() : std::nullopt;
+  return v ? std::optional(static_cast<Index>(*v)) : std::nullopt;
+}
+
+Mesh::Renumbering Connectivity::renumbering() const {
+  if (!watch_) return {};
+  Renumbering r;
+  r.moved = watch_->moved();
+  set_dart_blocks(*r.moved);
+  if (const auto v = watch_->first_changed(*r.moved)) r.changed_vertex = static_cast<Index>(*v);
+  return r;
+}
+
+void Connectivity::accept_edits() {
+  if (!log_.empty()) throw UsageError("edits cannot be accepted with an open journal");
+  if (watch_) watch_->accept();
 }
 
 }  // namespace multimesh::openmesh

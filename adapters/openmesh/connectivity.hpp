@@ -2,9 +2,12 @@
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+#include <initializer_list>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "adapters/openmesh/watch.hpp"
 #include "multimesh/mesh.hpp"
 
 namespace multimesh::openmesh {
@@ -14,7 +17,8 @@ namespace multimesh::openmesh {
 ///
 /// The mesh stays the user's. We request vertex, edge and face status, and add properties whose names begin
 /// with "mm:"; all that is taken back when the adapter dies. While attached, the mesh must not be moved,
-/// assigned, cleared or edited except through the tree.
+/// assigned or cleared; edits of its connectivity other than through the tree are detected (Watch), and
+/// followed where that is possible (MultiMesh::resync).
 class Connectivity : public Mesh {
  public:
   ~Connectivity() override;
@@ -43,8 +47,16 @@ class Connectivity : public Mesh {
   void remap_links(LinkSet links, const std::vector<Index>& child_facets) override;
   Compaction compact() override;
 
+  bool same_counts() const override { return !watch_ || watch_->same_counts(); }
+  bool star_in_step(Index v) const override { return !watch_ || watch_->in_step(static_cast<int>(v)); }
+  std::optional<Index> first_out_of_step() const override;
+  Renumbering renumbering() const override;
+  void accept_edits() override;
+
  protected:
   Connectivity(int dimension, OpenMesh::PolyConnectivity& om);
+  /// From now on others may edit the mesh, too.
+  void watch();
   /// \throw InputError with the first problem of check(). Cost: linear
   void require_consistent() const;
   /// \throw InputError naming two simplices with the same vertices. Cost: sorting
@@ -75,7 +87,8 @@ class Connectivity : public Mesh {
   int new_vertex();
   int new_edge(int from, int to);  // its even halfedge
   int new_face();
-  void copy_edge_properties(int from_halfedge, int to_halfedge);  // and those of both halfedges
+  void copy_edge_properties(int from_halfedge, int to_halfedge);    // and those of both halfedges
+  void copy_corner_properties(int from_halfedge, int to_halfedge);  // of these halfedges alone
   void copy_face_properties(int from, int to);
 
   /// Per simplex, one more than the facet of the child over it; 0: none.
@@ -126,6 +139,15 @@ class Connectivity : public Mesh {
     log_.push_back({word, column, index, old});
   }
   void log_counts();
+  /// A write that changes what we know of these halfedges.
+  template <class Write>
+  void watched(std::initializer_list<int> halfedges, const Write& write);
+  int named(int k, int element);
+  void write_to(int h, int v);
+  void write_face(int h, int f);
+  void write_edge_status(std::uint32_t e, unsigned bits);
+  void pop(std::size_t vertices, std::size_t edges, std::size_t faces);
+  void set_dart_blocks(Compaction& moved) const;
   void undo(const Entry& e);
   void copy_properties(int k, std::size_t from, std::size_t to);
   void refuse_double_attachment() const;
@@ -143,6 +165,7 @@ class Connectivity : public Mesh {
   OpenMesh::VPropHandleT<char> attached_;
   std::vector<Anchor>* anchors_ = nullptr;
   std::vector<Links> links_;
+  std::unique_ptr<Watch> watch_;  // of a mesh of the user's
 };
 
 }  // namespace multimesh::openmesh

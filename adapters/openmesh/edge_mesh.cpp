@@ -10,6 +10,7 @@ namespace multimesh::openmesh {
 EdgeMesh::EdgeMesh(OpenMesh::PolyConnectivity& om) : Connectivity(1, om) {
   require_consistent();
   require_proper();
+  watch();
 }
 
 EdgeMesh::EdgeMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : Connectivity(1, *om) {

@@ -13,6 +13,7 @@ TriangleMesh::TriangleMesh(OpenMesh::PolyConnectivity& om) : Connectivity(2, om)
   require_triangles();
   require_consistent();
   require_proper();
+  watch();
 }
 
 TriangleMesh::TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : Connectivity(2, *om) {
@@ -257,6 +258,7 @@ void TriangleMesh::split_edge(Dart e, SplitRecord& record) {
   if (fl >= 0) {
     const int s = new_edge(c, to(bl)), f = new_face();
     copy_face_properties(fl, f);
+    copy_corner_properties(bl, s), copy_corner_properties(h, s ^ 1);
     set_next(n, s), set_next(s, la), set_next(la, n);
     set_next(h, bl), set_next(bl, s ^ 1), set_next(s ^ 1, h);
     for (const int x : {n, s, la}) set_face(x, f);
@@ -272,6 +274,7 @@ void TriangleMesh::split_edge(Dart e, SplitRecord& record) {
   if (fr >= 0) {
     const int t = new_edge(c, to(ar)), g = new_face();
     copy_face_properties(fr, g);
+    copy_corner_properties(ar, t), copy_corner_properties(o, t ^ 1);
     set_next(m, ar), set_next(ar, t ^ 1), set_next(t ^ 1, m);
     set_next(o, t), set_next(t, rb), set_next(rb, o);
     for (const int x : {m, ar, t ^ 1}) set_face(x, g);

@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "adapters/openmesh/make_mesh.hpp"
-#include "multimesh/algorithms/corner_classes.hpp"
+#include "adapters/openmesh/texture_child.hpp"
 #include "multimesh/algorithms/shading.hpp"
 #include "multimesh/algorithms/textured_surface_data.hpp"
-#include "multimesh/build.hpp"
 
 namespace multimesh {
 
@@ -74,42 +73,20 @@ void add_shading(const TexturedTriangles& input, const Cut& cut, TexturedSurface
 }
 
 /// The triangles with texture coordinates in one set, corner by corner, by vertices of the surface.
-struct TexturedPart {
-  FacetList over;
-  std::vector<Index> facets;    // of the surface
-  std::vector<Index> texcoord;  // per corner, into the input's list
-};
-
-TexturedPart textured_part(const TexturedTriangles& input, const Cut& cut, std::size_t set) {
-  TexturedPart part{{2, cut.facets.vertices, {}}, {}, {}};
-  part.over.corners.reserve(cut.facets.corners.size());
+openmesh::TexturedCorners textured_part(const TexturedTriangles& input, const Cut& cut, std::size_t set) {
+  openmesh::TexturedCorners part;
+  part.corners.reserve(cut.facets.corners.size());
   part.texcoord.reserve(cut.facets.corners.size());
   part.facets.reserve(input.triangles.size());
   for (Index f = 0; f < input.triangles.size(); ++f) {
     if (input.texcoord(set, f, 0) < 0) continue;
     for (std::size_t i = 0; i < 3; ++i) {
-      part.over.corners.push_back(cut.facets.facet(f)[i]);
+      part.corners.push_back(cut.facets.facet(f)[i]);
       part.texcoord.push_back(static_cast<Index>(input.texcoord(set, f, input_corner(cut, f, i))));
     }
     part.facets.push_back(f);
   }
   return part;
-}
-
-/// Facets by classes of corners, numbered as they come; `texcoord_of`: per class, into the input's list.
-FacetList by_class(const TexturedPart& part, const std::vector<Vec2d>& values,
-                   std::vector<Index>& texcoord_of) {
-  FacetList classes{2, 0, first_equal_corners(part.over.corners, part.over.vertices, part.texcoord, values)};
-  for (Index c = 0; c < classes.corners.size(); ++c) {
-    Index& first = classes.corners[c];
-    if (first != c) {
-      first = classes.corners[first];  // before c: a number already
-    } else {
-      first = classes.vertices++;
-      texcoord_of.push_back(part.texcoord[c]);
-    }
-  }
-  return classes;
 }
 
 }  // namespace
@@ -136,27 +113,20 @@ Cut add_surface(const TexturedTriangles& input, TexturedSurface::Data& out) {
   return cut;
 }
 
-// The vertices of the texture: classes of corners with the same vertex of the surface and equal texture
-// coordinates, cut to be manifold (charts that touch in a point come apart).
 void add_texture(const TexturedTriangles& input, const Cut& surface, std::size_t set,
                  TexturedSurface::Data& out) {
-  TexturedPart part = textured_part(input, surface, set);
+  openmesh::TexturedCorners part = textured_part(input, surface, set);
   if (set == 0) out.report.triangles_without_texcoords = input.triangles.size() - part.facets.size();
   if (part.facets.empty() && input.uv_sets() == 1) return;
   if (part.facets.empty())
     throw InputError("set " + std::to_string(set) +
                      " of texture coordinates is used by no triangle; leave it out");
-  std::vector<Index> texcoord_of;
-  Cut texture = cut(by_class(part, input.texcoords_of(set), texcoord_of));
-  part.texcoord = {};
-  for (std::size_t f = 0; f < part.facets.size(); ++f)
-    if (texture.reversed[f]) std::swap(part.over.corners[3 * f], part.over.corners[3 * f + 1]);
-  const NodeId node = add_child_by_facets(*out.tree, NodeId::root, std::move(texture.facets),
-                                          std::move(part.over), part.facets, openmesh::make_mesh);
-  out.textures.push_back(node);
-  out.texcoords.push_back(out.add_property(node, OpenMesh::VPropHandleT<Vec2d>(), "texcoord"));
-  for (Index v = 0; v < texture.source.size(); ++v)
-    (*out.texcoords.back())[v] = input.texcoords_of(set)[texcoord_of[texture.source[v]]];
+  const auto child =
+      openmesh::add_texture_child(*out.tree, NodeId::root, std::move(part), input.texcoords_of(set));
+  out.textures.push_back(child.node);
+  out.texcoords.push_back(out.add_property(child.node, OpenMesh::VPropHandleT<Vec2d>(), "texcoord"));
+  for (Index v = 0; v < child.texcoord.size(); ++v)
+    (*out.texcoords.back())[v] = input.texcoords_of(set)[child.texcoord[v]];
 }
 
 }  // namespace multimesh

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "multimesh/algorithms/corner_classes.hpp"
+#include "adapters/openmesh/corner_classes.hpp"
 
 #include <algorithm>
 #include <bit>
 
-namespace multimesh {
+namespace multimesh::openmesh {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::vector<Index> first_equal_corners(std::span<const Index> vertex, Index vert
   return first;
 }
 
-}  // namespace multimesh
+}  // namespace multimesh::openmesh

@@ -7,7 +7,7 @@
 
 #include "multimesh/dart.hpp"
 
-namespace multimesh {
+namespace multimesh::openmesh {
 
 /// Per corner, the first corner with the same vertex and equal texture coordinates, by value: -0 equals 0.
 /// `vertex` and `texcoord`: per corner, indices below `vertices` and into `values`. Cost: n log k for n
@@ -16,4 +16,4 @@ std::vector<Index> first_equal_corners(std::span<const Index> vertex, Index vert
                                        std::span<const Index> texcoord,
                                        std::span<const OpenMesh::Vec2d> values);
 
-}  // namespace multimesh
+}  // namespace multimesh::openmesh

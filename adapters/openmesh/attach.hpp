@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OpenMesh/Core/Geometry/VectorT.hh>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "adapters/openmesh/add_values.hpp"
+#include "adapters/openmesh/attached_tree.hpp"
+#include "adapters/openmesh/corner_values.hpp"
+#include "adapters/openmesh/mean.hpp"
+
+namespace multimesh::openmesh {
+
+/// When the texture coordinates of the user's halfedges follow those of the texture's vertices.
+enum class WriteBack {
+  each_operation,  ///< always; undone with the operation
+  on_demand,       ///< when write_back() is called: faster
+};
+
+/// A user's own OpenMesh mesh, any TriMesh_ArrayKernelT or triangulated PolyMesh_ArrayKernelT with any
+/// traits, as the root of a multimesh, in place: nothing is copied, its properties, handles, status bits and
+/// property managers stay what they are. Children come from what the mesh knows already.
+///
+///     openmesh::Attached attached(mesh);
+///     const NodeId texture = attached.add_texture();
+///     const NodeId creases = attached.add_features();
+///     Outcome o = attached.collapse(h);         // in all three meshes, or refused in all three
+///
+/// OpenMesh's standard properties follow the operations: points, and vertex normals, colours and texture
+/// coordinates, as on the edge; face properties, of any name and type, go to the halves of a split face, edge
+/// properties to the halves of an edge; the merged vertex of a collapse keeps those of the end that holds its
+/// place. follow() adds vertex properties of the user's own. When the Attached goes, the mesh is an ordinary
+/// OpenMesh mesh again with nothing of ours in it; elements that died are still marked as deleted, as after
+/// OpenMesh's own operations, unless garbage_collection() was called.
+///
+/// While it lives, the mesh must not be moved, assigned, cleared or destroyed. Other edits of its
+/// connectivity are noticed (docs/openmesh.md).
+template <class UserMesh>
+class Attached : public AttachedTree {
+ public:
+  using Point = typename UserMesh::Point;
+  using TexCoord = typename UserMesh::TexCoord2D;
+
+  /// \throw InputError naming the first face that is not a triangle, vertex that is not manifold, or pair of
+  /// simplices with the same vertices; UsageError if the mesh is attached already. Cost: linear, with a sort
+  explicit Attached(UserMesh& mesh)
+      : AttachedTree(mesh), mesh_(mesh), points_(follow_values(NodeId::root, values(mesh.points_pph()))) {
+    if (mesh.has_vertex_normals())
+      follow_values(NodeId::root, values(mesh.vertex_normals_pph()),
+                    mean_direction(values(mesh.vertex_normals_pph())));
+    if (mesh.has_vertex_colors()) follow_values(NodeId::root, values(mesh.vertex_colors_pph()));
+    if (mesh.has_vertex_texcoords2D()) follow_values(NodeId::root, values(mesh.vertex_texcoords2D_pph()));
+  }
+
+  UserMesh& mesh() noexcept { return mesh_; }
+  VertexAttribute<Point>& points() noexcept { return points_; }
+
+  /// The texture: a mesh over the triangles, with a vertex per place in the texture, from the texture
+  /// coordinates of the mesh's halfedges. `textured`: which faces have some; all, if it is not given. \throw
+  /// UsageError if the mesh has no such coordinates or has a texture already, InputError naming a face
+  ///        whose coordinates are not finite. Cost: O(n log n)
+  NodeId add_texture(const std::function<bool(OpenMesh::FaceHandle)>& textured = {},
+                     WriteBack when = WriteBack::each_operation) {
+    require_no_texture(mesh_.has_halfedge_texcoords2D());
+    std::vector<TexCoord>& at_halfedges = values(mesh_.halfedge_texcoords2D_pph());
+    std::vector<OpenMesh::Vec2d> places(at_halfedges.size());
+    for (std::size_t h = 0; h < places.size(); ++h) places[h] = {at_halfedges[h][0], at_halfedges[h][1]};
+    const TextureChild child = add_texture_node(textured, places);
+    std::vector<TexCoord>& at_vertices =
+        add_values(child_connectivity(child.node), OpenMesh::VPropHandleT<TexCoord>(), "texcoord");
+    for (std::size_t v = 0; v < at_vertices.size(); ++v) at_vertices[v] = at_halfedges[child.texcoord[v]];
+    texcoords_ = &follow_values(child.node, at_vertices);
+    corners_ = std::make_unique<CornerValues<TexCoord>>(tree(), child.node, at_vertices, at_halfedges);
+    if (when == WriteBack::each_operation) operations().add(*corners_);
+    return child.node;
+  }
+  /// Texture coordinates per vertex of the texture. \pre add_texture() was called
+  VertexAttribute<TexCoord>& texcoords() { return *texcoords_; }
+  /// Sets the texture coordinates of the mesh's halfedges. Cost: linear
+  void write_back() {
+    if (corners_) corners_->write_all();
+  }
+
+  /// Borders between faces with different tags, as curves: a property of the faces, or FProp.
+  template <class Tag>
+  NodeId add_borders(OpenMesh::FPropHandleT<Tag> tag) {
+    return add_edges([this, tag](OpenMesh::EdgeHandle e) {
+      const auto x = mesh_.face_handle(mesh_.halfedge_handle(e, 0)),
+                 y = mesh_.face_handle(mesh_.halfedge_handle(e, 1));
+      return x.is_valid() && y.is_valid() && !(mesh_.property(tag, x) == mesh_.property(tag, y));
+    });
+  }
+  /// The faces with one tag, as a mesh of their own.
+  template <class Tag>
+  NodeId add_region(OpenMesh::FPropHandleT<Tag> tag, const Tag& value) {
+    return add_faces([&](OpenMesh::FaceHandle f) { return mesh_.property(tag, f) == value; });
+  }
+
+  /// From now on a vertex property of the user's own is interpolated (or taken from the nearer end, if it has
+  /// no mean), or follows a rule.
+  template <class T>
+  VertexAttribute<T>& follow(OpenMesh::VPropHandleT<T> property,
+                             typename VertexAttribute<T>::Rule rule = {}) {
+    return follow_values(NodeId::root, values(property), std::move(rule));
+  }
+
+  /// Moves a vertex. Cost: constant, and that of invariants.
+  Outcome relocate(OpenMesh::VertexHandle v, const Point& p) {
+    return operations().relocate(NodeId::root, dart(v),
+                                 [&](const Event&) { points_.set(static_cast<Index>(v.idx()), p); });
+  }
+
+ private:
+  template <class Handle>
+  auto& values(Handle handle) {
+    return mesh_.property(handle).data_vector();
+  }
+  template <class T>
+  VertexAttribute<T>& follow_values(NodeId n, std::vector<T>& values,
+                                    typename VertexAttribute<T>::Rule rule = {}) {
+    if constexpr (IntegerVector<T>)
+      if (!rule) rule = rounded_mean(values);
+    auto attribute = rule ? std::make_unique<VertexAttribute<T>>(n, values, std::move(rule))
+                          : std::make_unique<VertexAttribute<T>>(n, values);
+    VertexAttribute<T>& result = *attribute;
+    keep(std::move(attribute));
+    return result;
+  }
+
+  UserMesh& mesh_;
+  VertexAttribute<Point>& points_;
+  VertexAttribute<TexCoord>* texcoords_ = nullptr;
+  std::unique_ptr<CornerValues<TexCoord>> corners_;
+};
+
+}  // namespace multimesh::openmesh

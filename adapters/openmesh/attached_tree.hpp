@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "adapters/openmesh/texture_child.hpp"
+#include "multimesh/operations.hpp"
+
+namespace multimesh::openmesh {
+
+/// Handles of the user's that are to follow a renumbering, as OpenMesh's garbage_collection() takes them.
+/// Those of elements that are gone become invalid.
+struct KeptHandles {
+  std::vector<OpenMesh::VertexHandle*> vertices;
+  std::vector<OpenMesh::HalfedgeHandle*> halfedges;
+  std::vector<OpenMesh::EdgeHandle*> edges;
+  std::vector<OpenMesh::FaceHandle*> faces;
+};
+
+/// What does not depend on the traits of an attached mesh: see Attached.
+class AttachedTree {
+ public:
+  AttachedTree(const AttachedTree&) = delete;
+  AttachedTree& operator=(const AttachedTree&) = delete;
+
+  MultiMesh& tree() noexcept { return tree_; }
+  const MultiMesh& tree() const noexcept { return tree_; }
+  /// All of the library's operations, on any mesh of the tree, with the attributes that are kept here.
+  Propagation& operations() noexcept { return operations_; }
+
+  // --- handles and darts of the root
+  /// (from, to, ..) \throw UsageError for a halfedge of an edge without faces
+  Dart dart(OpenMesh::HalfedgeHandle h) const;
+  Dart dart(OpenMesh::EdgeHandle e) const { return dart(root_.halfedge_handle(e, 0)); }
+  Dart dart(OpenMesh::VertexHandle v) const;
+  Dart dart(OpenMesh::FaceHandle f) const { return dart(root_.halfedge_handle(f)); }
+  /// The halfedge on the edge of a dart, from its vertex.
+  OpenMesh::HalfedgeHandle halfedge(Dart d) const;
+
+  // --- children of the root; all throw InputError if they would be empty. Cost: linear
+  /// The edges whose status bit `feature` is set, as curves.
+  NodeId add_features();
+  /// The boundary, as curves.
+  NodeId add_boundary();
+  NodeId add_edges(const std::function<bool(OpenMesh::EdgeHandle)>& tagged);
+  NodeId add_faces(const std::function<bool(OpenMesh::FaceHandle)>& tagged);
+
+  // --- operations by handles; others: operations()
+  /// Splits an edge at (1-t) from + t to of its first halfedge.
+  Outcome split(OpenMesh::EdgeHandle e, double t = 0.5) {
+    return operations_.split(NodeId::root, dart(e), t);
+  }
+  /// Merges the from-vertex into the to-vertex, which keeps its place, as OpenMesh's collapse does.
+  Outcome collapse(OpenMesh::HalfedgeHandle h, Placement placement = Placement::keep_b()) {
+    return operations_.collapse(NodeId::root, dart(h), placement);
+  }
+  Outcome swap(OpenMesh::EdgeHandle e) { return operations_.swap(NodeId::root, dart(e)); }
+
+  // --- maintenance
+  /// Removes dead elements of all meshes for good; maps and the given handles follow. Cost: linear
+  void garbage_collection(const KeptHandles& handles = {});
+  /// Follows what others did to the mesh: MultiMesh::resync().
+  void resync(const KeptHandles& handles = {});
+
+ protected:
+  explicit AttachedTree(OpenMesh::PolyConnectivity& root);
+  ~AttachedTree() = default;
+
+  void keep(std::unique_ptr<Attribute> attribute);
+  void require_no_texture(bool has_texcoords) const;
+  /// `places`: per halfedge. The result names a halfedge per vertex of the texture.
+  TextureChild add_texture_node(const std::function<bool(OpenMesh::FaceHandle)>& textured,
+                                const std::vector<OpenMesh::Vec2d>& places);
+  OpenMesh::PolyConnectivity& child_connectivity(NodeId n);
+
+ private:
+  OpenMesh::PolyConnectivity& root_;
+  MultiMesh tree_;
+  Propagation operations_;
+  std::vector<std::unique_ptr<Attribute>> attributes_;
+  bool has_texture_ = false;
+};
+
+}  // namespace multimesh::openmesh

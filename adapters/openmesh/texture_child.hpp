@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OpenMesh/Core/Geometry/VectorT.hh>
+#include <span>
+#include <vector>
+
+#include "multimesh/multi_mesh.hpp"
+
+namespace multimesh::openmesh {
+
+/// Triangles of a surface, with a texture coordinate at each corner.
+struct TexturedCorners {
+  std::vector<Index> corners;   ///< vertices of the surface, three per triangle
+  std::vector<Index> facets;    ///< per triangle, the facet of the surface
+  std::vector<Index> texcoord;  ///< per corner, into a list of values
+};
+
+struct TextureChild {
+  NodeId node;
+  std::vector<Index> texcoord;  ///< per vertex of the child, into the list of values
+};
+
+/// The texture of a surface as a child: its vertices are the classes of corners with the same vertex of the
+/// surface and equal texture coordinates, cut to be manifold (charts that touch in a point come apart).
+/// \throw InputError if there is no triangle; the tree is unchanged then. Cost: O(n log n)
+TextureChild add_texture_child(MultiMesh& tree, NodeId parent, TexturedCorners corners,
+                               std::span<const OpenMesh::Vec2d> values);
+
+}  // namespace multimesh::openmesh

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/openmesh/watch.hpp"
+
+#include <numeric>
+#include <string>
+
+#include "multimesh/error.hpp"
+#include "multimesh/hash.hpp"
+
+namespace multimesh::openmesh {
+
+namespace {
+
+constexpr const char* prefix = "mm:watch";
+
+std::uint64_t word(int i) {
+  return static_cast<std::uint32_t>(i);
+}
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::uint64_t hash(int halfedge, int to, int face) {
+  return ArrayHash()(std::array<std::uint64_t, 2>{word(halfedge) << 32 | word(to), word(face)});
+}
+
+}  // namespace
+
+Watch::Watch(OpenMesh::PolyConnectivity& om) : om_(om) {
+  const std::string name = prefix;
+  om_.add_property(sum_property_, name);
+  om_.add_property(vertex_names_, name + ":vertex");
+  om_.add_property(edge_names_, name + ":edge");
+  om_.add_property(face_names_, name + ":face");
+  sums_ = &om_.property(sum_property_).data_vector();
+  names_ = {&om_.property(vertex_names_).data_vector(), &om_.property(edge_names_).data_vector(),
+            &om_.property(face_names_).data_vector()};
+  accept();
+}
+
+Watch::~Watch() {
+  om_.remove_property(sum_property_);
+  om_.remove_property(vertex_names_);
+  om_.remove_property(edge_names_);
+  om_.remove_property(face_names_);
+}
+
+bool Watch::owns(const OpenMesh::BaseProperty& property) {
+  return property.name().rfind(prefix, 0) == 0;
+}
+
+Watch::Counts Watch::counts_now() const {
+  return {om_.n_vertices(), om_.n_edges(), om_.n_faces()};
+}
+
+bool Watch::is_dead(int k, int i) const {
+  return k == 0   ? om_.status(OpenMesh::VertexHandle(i)).deleted()
+         : k == 1 ? om_.status(OpenMesh::EdgeHandle(i)).deleted()
+                  : om_.status(OpenMesh::FaceHandle(i)).deleted();
+}
+
+void Watch::count(int h, bool in) {
+  if (is_dead(1, h >> 1)) return;
+  const int from = om_.to_vertex_handle(OpenMesh::HalfedgeHandle(h ^ 1)).idx();
+  if (from < 0 || at(from) >= sums_->size()) return;
+  const OpenMesh::HalfedgeHandle handle(h);
+  const std::uint64_t x = hash(h, om_.to_vertex_handle(handle).idx(), om_.face_handle(handle).idx());
+  (*sums_)[at(from)] += in ? x : 0 - x;
+}
+
+void Watch::note_counts() {
+  counts_ = counts_now();
+}
+
+void Watch::name(int k, int i) {
+  (*names_[at(k)])[at(i)] = static_cast<Index>(i) + 1;
+}
+
+bool Watch::same_counts() const noexcept {
+  return counts_ == counts_now();
+}
+
+// `name` tells what a halfedge, a vertex and a face were called. A walk that does not come back to where it
+// began gives a sum all the same, of as many halfedges as there are: a wrong one.
+template <class Name>
+std::uint64_t Watch::sum_around(int v, const Name& name) const {
+  const int first = om_.halfedge_handle(OpenMesh::VertexHandle(v)).idx();
+  std::uint64_t sum = 0;
+  if (first < 0) return sum;
+  const int n = static_cast<int>(om_.n_halfedges());
+  int h = first;
+  for (int steps = 0; steps < n; ++steps) {
+    const OpenMesh::HalfedgeHandle handle(h);
+    const int to = om_.to_vertex_handle(handle).idx(), face = om_.face_handle(handle).idx();
+    sum += hash(name(1, h), name(0, to), name(2, face));
+    const int before = om_.prev_halfedge_handle(handle).idx();
+    if (before < 0 || before >= n) return ~sum;
+    h = before ^ 1;
+    if (h == first) return sum;
+  }
+  return ~sum;
+}
+
+bool Watch::in_step(int v) const {
+  if (v < 0 || at(v) >= sums_->size()) return false;
+  // Of a dead vertex OpenMesh keeps the halfedge, but no live edge has the vertex.
+  if (is_dead(0, v)) return (*sums_)[at(v)] == 0;
+  return (*sums_)[at(v)] == sum_around(v, [](int, int i) { return i; });
+}
+
+std::optional<int> Watch::first_out_of_step() const {
+  for (int v = 0; v < static_cast<int>(om_.n_vertices()); ++v)
+    if (!in_step(v)) return v;
+  return std::nullopt;
+}
+
+Compaction Watch::moved() const {
+  Compaction moved;
+  const Counts now = counts_now();
+  for (int k = 0; k < 3; ++k) {
+    auto& to = moved.simplices.emplace_back(counts_[at(k)], no_index);
+    for (std::size_t i = 0; i < now[at(k)]; ++i) {
+      const Index name = (*names_[at(k)])[i];
+      if (name == 0 || is_dead(k, static_cast<int>(i))) continue;
+      if (name > to.size() || to[name - 1] != no_index)
+        throw OutOfStepError("the names of elements are lost; the OpenMesh mesh was cleared or assigned");
+      to[name - 1] = static_cast<Index>(i);
+    }
+  }
+  return moved;
+}
+
+std::optional<int> Watch::first_changed(const Compaction& moved) const {
+  // Elements without a name are not ours; no sum of ours has them.
+  const auto name = [&](int k, int i) {
+    if (i < 0) return i;
+    const Index known = (*names_[at(k)])[at(k == 1 ? i >> 1 : i)];
+    if (known == 0) return -2;
+    return k == 1 ? 2 * static_cast<int>(known - 1) + (i & 1) : static_cast<int>(known - 1);
+  };
+  for (const Index v : moved.simplices[0])
+    if (v != no_index && sum_around(static_cast<int>(v), name) != (*sums_)[v]) return static_cast<int>(v);
+  return std::nullopt;
+}
+
+void Watch::accept() {
+  note_counts();
+  for (auto* names : names_) std::iota(names->begin(), names->end(), Index{1});
+  std::fill(sums_->begin(), sums_->end(), 0);
+  for (int h = 0; h < static_cast<int>(om_.n_halfedges()); ++h) put_in(h);
+}
+
+}  // namespace multimesh::openmesh
