@@ -17,7 +17,7 @@ Dart dart_beginning_with(const Mesh& mesh, Index facet, std::span<const Index> v
     return dart_with(mesh, facet, vertices.data());
   const Dart any = mesh.dart_of(mesh.dimension(), facet);
   std::array<Index, 4> have{};
-  for (std::uint8_t p = 0; p < (mesh.dimension() == 3 ? 24 : mesh.dimension() == 2 ? 6 : 2); ++p) {
+  for (std::uint8_t p = 0; p < number_of_orders(mesh.dimension()); ++p) {
     const Dart d = mesh.reorder(any, {p});
     mesh.vertices(d, have.data());
     if (std::equal(vertices.begin(), vertices.end(), have.begin())) return d;

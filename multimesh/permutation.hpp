@@ -85,6 +85,11 @@ constexpr Permutation transposition(int k) noexcept {
 }
 
 // Of an edge dart (a, b, x): (b, a, x), (a, x, b) and (b, x, a).
+/// How many darts a facet has: 2, 6 or 24.
+constexpr std::uint8_t number_of_orders(int dimension) {
+  return dimension == 1 ? 2 : dimension == 2 ? 6 : 24;
+}
+
 inline constexpr Permutation exchange_ends = permutation(1, 0);
 inline constexpr Permutation edge_ax = permutation(0, 2, 1);
 inline constexpr Permutation edge_bx = permutation(1, 2, 0);

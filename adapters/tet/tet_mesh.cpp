@@ -57,7 +57,7 @@ Dart TetMesh::dart_of(int k, Index s) const {
   if (k == 2) return dart(s / 4, {exchange[s % 4][3]});
   const auto [i, j] = edge_corners[s % 6];
   // Any ordering that begins with the edge.
-  const auto rest = [&](int skip) {
+  const auto rest = [i = i, j = j](int skip) {
     for (int c = 0;; ++c)
       if (c != i && c != j && skip-- == 0) return c;
   };

@@ -5,17 +5,13 @@
 #include <optional>
 #include <span>
 
+#include "multimesh/permutation.hpp"
 #include "multimesh/operations.hpp"
 #include "oracle/complex.hpp"
 #include "test/support/trees.hpp"
 
 /// Between the library and the oracles, which know plain lists of facets only.
 namespace multimesh::test {
-
-/// The orderings of a facet's vertices: its darts.
-constexpr std::uint8_t number_of_orders(int dimension) {
-  return dimension == 1 ? 2 : dimension == 2 ? 6 : 24;
-}
 
 /// The live facets of a mesh, with its vertex indices.
 oracle::Complex complex_of(const Mesh& mesh);

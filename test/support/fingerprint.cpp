@@ -71,7 +71,7 @@ class Words {
   void points(const Mesh& mesh, const std::vector<Point3>& values) {
     for (Index v = 0; v < values.size(); ++v)
       if (mesh.dimension() < 3 || mesh.is_live(0, v))
-        for (int i = 0; i < 3; ++i) put(std::bit_cast<std::uint64_t>(values[v][i]));
+        for (std::size_t i = 0; i < 3; ++i) put(std::bit_cast<std::uint64_t>(values[v][i]));
   }
 
   std::vector<std::uint64_t> take() { return std::move(words_); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "test/support/storm.hpp"
 
+#include "multimesh/permutation.hpp"
 #include "multimesh/validate.hpp"
 
 namespace multimesh::test {
@@ -16,7 +17,7 @@ Dart Storm::random_dart(NodeId n) {
   for (;;) {
     const auto f = static_cast<Index>(random_() % mesh.capacity(d));
     if (!mesh.is_live(d, f)) continue;
-    const auto p = static_cast<std::uint8_t>(random_() % (d == 3 ? 24 : d == 2 ? 6 : 2));
+    const auto p = static_cast<std::uint8_t>(random_() % number_of_orders(d));
     return mesh.reorder(mesh.dart_of(d, f), {p});
   }
 }
