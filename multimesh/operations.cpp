@@ -51,7 +51,7 @@ Outcome Propagation::succeed(Dart dart, Dart root) {
 
 Refusal Propagation::ask(bool (Invariant::*when)(const Event&), const Event& event) {
   for (Invariant* i : invariants_)
-    if (!(i->*when)(event)) return {Check::invariant, i->node(), i->name()};
+    if (tree_.contains(i->node()) && !(i->*when)(event)) return {Check::invariant, i->node(), i->name()};
   return {};
 }
 
@@ -59,7 +59,8 @@ void Propagation::update_attributes(const Event& event) {
   for (const VertexChange& c : changes_)
     for (Attribute* a : attributes_)
       if (a->node() == c.node) a->update(event.operation, c);
-  for (Attribute* a : attributes_) a->finish(event);
+  for (Attribute* a : attributes_)
+    if (tree_.contains(a->node())) a->finish(event);
 }
 
 // All faces of the facets around the ends of each copy, and around the new ends of a flipped one, each once.
@@ -122,6 +123,14 @@ Outcome Propagation::swap(NodeId n, Dart e) {
   stage();
   transaction.commit();
   return succeed(copies_[asked].dart, copies_[0].dart);
+}
+
+Refusal Propagation::why_not_swap(NodeId n, Dart e) {
+  if (tree_.mesh(NodeId::root).dimension() > 2)
+    throw UsageError("swaps in a tetrahedral mesh are sequences; whether one is refused is told by doing it");
+  find_copies(n, e, 1);
+  if (!flippable()) return {Check::flip, n, {}};
+  return ask(&Invariant::before, {tree_, Operation::flip, copies_});
 }
 
 // The edge must be interior in every mesh that has it, in one copy only, and in no mesh of lower dimension.

@@ -50,7 +50,7 @@ struct Placement {
 /// the root and restricted to all meshes; all maps stay valid, or nothing changes.
 ///
 /// Attributes and invariants are those of the algorithm that uses it; they are not owned and must outlive
-/// it. An exception thrown by one of them leaves everything as it was before the operation. Cost per
+/// it. Those of a mesh that was detached are not asked any more. An exception thrown by one of them leaves everything as it was before the operation. Cost per
 /// operation: that of the stars of the edge's copies; buffers are re-used, but queries over two or more
 /// levels of the tree allocate. Source: Codimensional MultiMeshing, section 4; legality beyond it: DESIGN
 /// section 7.
@@ -113,6 +113,11 @@ class Propagation {
 
   /// Only the judgement on a collapse; nothing is changed. Invariants are not asked.
   CollapseVerdict judge(NodeId n, Dart e);
+  /// Why an operation would be refused, as far as that can be told without doing it: everything but what
+  /// invariants say afterwards, and the link condition of a second copy once the first is collapsed.
+  Refusal why_not_collapse(NodeId n, Dart e, Placement placement = {});
+  /// The same of a swap in a surface. \pre no mesh of the tree has dimension 3
+  Refusal why_not_swap(NodeId n, Dart e);
 
   /// A scope around several operations, which undoes them all, attributes included, unless it is committed.
   [[nodiscard]] Transaction transaction() { return Transaction(tree_, attributes_); }
@@ -150,6 +155,8 @@ class Propagation {
   void collect_moved_by_split(const Copy& c);
   void write_halves(std::size_t i);
 
+  Refusal judge_placed(Placement placement, double& t);
+  void let_b_survive(double& t);
   Outcome collapse_judged(std::size_t asked, double t);
   bool collapse_copy(std::size_t i);
   void unlink_dead(NodeId n);

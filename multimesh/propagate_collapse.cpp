@@ -18,18 +18,32 @@ std::optional<double> held_end(const CollapseVerdict& v, bool respect_strata) {
 
 }  // namespace
 
+// t: where the merged vertex goes then.
+Refusal Propagation::judge_placed(Placement placement, double& t) {
+  const CollapseVerdict verdict = legality_.collapse(tree_, copies_, legality_options_);
+  if (verdict.refusal.refused()) return verdict.refusal;
+  t = placement.t;
+  const auto held = held_end(verdict, placement.respect_strata && !placement.strict);
+  if (!held || *held == t) return {};
+  if (placement.strict) return {Check::placement, NodeId::root, {}};
+  t = *held;
+  return {};
+}
+
 Outcome Propagation::collapse(NodeId n, Dart e, Placement placement) {
   start(n, e, 1);
   const std::size_t asked = copy_of(n, e, 1);
-  const CollapseVerdict verdict = legality_.collapse(tree_, copies_, legality_options_);
-  if (verdict.refusal.refused()) return refuse(verdict.refusal);
-  double t = placement.t;
-  if (const auto held = held_end(verdict, placement.respect_strata && !placement.strict);
-      held && *held != t) {
-    if (placement.strict) return refuse({Check::placement, NodeId::root, {}});
-    t = *held;
-  }
+  double t = 0;
+  if (const Refusal r = judge_placed(placement, t); r.refused()) return refuse(r);
   return collapse_judged(asked, t);
+}
+
+Refusal Propagation::why_not_collapse(NodeId n, Dart e, Placement placement) {
+  find_copies(n, e, 1);
+  double t = 0;
+  if (const Refusal r = judge_placed(placement, t); r.refused()) return r;
+  let_b_survive(t);
+  return ask(&Invariant::before, {tree_, Operation::collapse, copies_, t});
 }
 
 Outcome Propagation::collapse(NodeId n, Dart e, const Chooser& choose) {
@@ -42,13 +56,16 @@ Outcome Propagation::collapse(NodeId n, Dart e, const Chooser& choose) {
   return collapse_judged(asked, held.value_or(t));
 }
 
+// The end that keeps its place survives, and with it its index and every property.
+void Propagation::let_b_survive(double& t) {
+  if (t > 0) return;
+  for (Copy& c : copies_.all()) c.dart = tree_.mesh(c.node).reorder(c.dart, exchange_ends);
+  t = 1;
+}
+
 Outcome Propagation::collapse_judged(std::size_t asked, double t) {
   if (!(t >= 0 && t <= 1)) throw UsageError("the new vertex must lie on the edge: 0 <= t <= 1");
-  // The end that keeps its place survives, and with it its index and every property.
-  if (t <= 0) {
-    for (Copy& c : copies_.all()) c.dart = tree_.mesh(c.node).reorder(c.dart, exchange_ends);
-    t = 1;
-  }
+  let_b_survive(t);
   const Event event{tree_, Operation::collapse, copies_, t};
   stage();
   if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);

@@ -11,6 +11,7 @@
 #include "adapters/openmesh/attached_tree.hpp"
 #include "adapters/openmesh/corner_values.hpp"
 #include "adapters/openmesh/mean.hpp"
+#include "adapters/openmesh/no_flips.hpp"
 
 namespace multimesh::openmesh {
 
@@ -79,6 +80,11 @@ class Attached : public AttachedTree {
   }
   /// Texture coordinates per vertex of the texture. \pre add_texture() was called
   VertexAttribute<TexCoord>& texcoords() { return *texcoords_; }
+  /// From now on no triangle of the texture may flip or lose its area. \pre add_texture() was called
+  void forbid_flips() {
+    no_flips_ = std::make_unique<NoFlips<TexCoord>>(*texcoords_);
+    operations().add(*no_flips_);
+  }
   /// Sets the texture coordinates of the mesh's halfedges. Cost: linear
   void write_back() {
     if (corners_) corners_->write_all();
@@ -134,6 +140,7 @@ class Attached : public AttachedTree {
   VertexAttribute<Point>& points_;
   VertexAttribute<TexCoord>* texcoords_ = nullptr;
   std::unique_ptr<CornerValues<TexCoord>> corners_;
+  std::unique_ptr<NoFlips<TexCoord>> no_flips_;
 };
 
 }  // namespace multimesh::openmesh

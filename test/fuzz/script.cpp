@@ -142,9 +142,10 @@ void Script::operate(std::size_t choice) {
   refuse_before_ = disturbed == 5;
   refuse_after_ = disturbed == 6;
   Propagation& ops = *tree_->operations;
-  if (disturbed == 7) ops.on_stage = [at = static_cast<int>(bytes_.below(12))](int stage) {
-    if (stage == at) throw Injected();
-  };
+  if (disturbed == 7)
+    ops.on_stage = [at = static_cast<int>(bytes_.below(12))](int stage) {
+      if (stage == at) throw Injected();
+    };
   const auto before = fingerprint(*tree_);
   bool done = false;
   try {
