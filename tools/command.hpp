@@ -13,6 +13,7 @@ void add_decimate_command(CLI::App& app, int& exit_code);
 /// Says that it is not there in a build without exact predicates.
 void add_improve_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
+void add_remesh_command(CLI::App& app, int& exit_code);
 /// Says that it is not there in a build without TetGen.
 void add_tetrahedralize_command(CLI::App& app, int& exit_code);
 void add_validate_command(CLI::App& app, int& exit_code);

@@ -6,19 +6,11 @@
 #include <numbers>
 
 #include "multimesh/error.hpp"
+#include "tools/number_check.hpp"
 
 namespace multimesh::tools {
 
 namespace {
-
-/// A number for which `holds`; else the message says what it must be.
-CLI::Validator number(bool (*holds)(double), const std::string& must_be, const std::string& type) {
-  const auto check = [=](std::string& s) {
-    double x = 0;
-    return CLI::detail::lexical_cast(s, x) && holds(x) ? std::string() : "must be " + must_be;
-  };
-  return CLI::Validator(check, type);
-}
 
 CLI::Validator length() {
   return number([](double e) { return e > 0 && std::isfinite(e); }, "above 0, for instance 0.001", "E");

@@ -42,10 +42,7 @@ void check_report_path(const std::string& report, const DecimateArguments& a) {
 }
 
 void check_paths(const DecimateArguments& a) {
-  check_output_path(a.output, {});
-  const std::string extension = fs::path(a.output).extension().string();
-  if (extension != ".obj" && extension != ".OBJ")
-    throw InputError(a.output + ": only OBJ files are written; give a name that ends in .obj");
+  check_obj_output(a.output);
   for (std::size_t level = 1; level <= a.levels.size(); ++level) {
     const fs::path path = level_path(a.output, level);
     check_output_path(path, {});

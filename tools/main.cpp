@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   tools::add_compare_command(app, exit_code);
   tools::add_improve_command(app, exit_code);
   tools::add_info_command(app, exit_code);
+  tools::add_remesh_command(app, exit_code);
   tools::add_tetrahedralize_command(app, exit_code);
   tools::add_validate_command(app, exit_code);
   try {

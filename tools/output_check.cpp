@@ -18,4 +18,11 @@ void check_output_path(const std::filesystem::path& output, const std::vector<st
                        "; choose another name");
 }
 
+void check_obj_output(const std::filesystem::path& output) {
+  check_output_path(output, {});
+  const std::string extension = output.extension().string();
+  if (extension != ".obj" && extension != ".OBJ")
+    throw InputError(output.string() + ": only OBJ files are written; give a name that ends in .obj");
+}
+
 }  // namespace multimesh::tools

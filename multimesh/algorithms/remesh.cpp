@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/remesh.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include "adapters/openmesh/connectivity.hpp"
+#include "multimesh/algorithms/remeshing/remesher.hpp"
+#include "multimesh/algorithms/surface_invariants.hpp"
+
+namespace multimesh {
+
+using OpenMesh::Vec2d;
+using OpenMesh::Vec3d;
+
+namespace {
+
+/// A property of a mesh that goes when this does.
+template <class Handle>
+class Temporary {
+ public:
+  Temporary(OpenMesh::PolyConnectivity& om, const char* name) : om_(om) { om_.add_property(handle_, name); }
+  ~Temporary() { om_.remove_property(handle_); }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  auto& values() { return om_.property(handle_).data_vector(); }
+
+ private:
+  OpenMesh::PolyConnectivity& om_;
+  Handle handle_;
+};
+
+void check(const RemeshOptions& o) {
+  if (!(o.length > 0) || !std::isfinite(o.length))
+    throw InputError("remesh: the edge length must be above 0 and finite");
+  if (o.iterations < 1) throw InputError("remesh: at least one iteration is needed");
+}
+
+RemeshResult run(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
+                 const RemeshOptions& options, remeshing::Hooks hooks) {
+  check(options);
+  auto& root = const_cast<Mesh&>(operations.tree().mesh(NodeId::root));
+  auto* connectivity = dynamic_cast<openmesh::Connectivity*>(&root);
+  if (connectivity == nullptr || root.dimension() != 2)
+    throw UsageError("remesh: the root must be a surface over OpenMesh");
+  OpenMesh::PolyConnectivity& om = connectivity->openmesh();
+  Temporary<OpenMesh::FPropHandleT<Index>> patch(om, "mm:patch");
+  Temporary<OpenMesh::EPropHandleT<Index>> line(om, "mm:line");
+  return remeshing::Remesher(operations, positions, below, options, patch.values(), line.values(),
+                             std::move(hooks))
+      .run();
+}
+
+/// What a textured surface has, as attributes of operations on it.
+class SurfaceFields {
+ public:
+  explicit SurfaceFields(TexturedSurface& s)
+      : operations(s.tree()), positions_(NodeId::root, s.positions()), positions(positions_) {
+    operations.add(positions_).set(LegalityOptions{.contact = true});
+    for (std::size_t k = 0; k < s.textures().size(); ++k) {
+      auto& values =
+          texcoords_.emplace_back(std::make_unique<VertexAttribute<Vec2d>>(s.textures()[k], s.texcoords(k)));
+      places_.push_back(std::make_unique<CoordinatesOf<Vec2d>>(*values));
+      below.push_back(places_.back().get());
+      invariants_.push_back(std::make_unique<SeamsStayOpen>(*values));
+      operations.add(*values);
+    }
+    if (!s.colors().empty()) {
+      colors_ = std::make_unique<VertexAttribute<Vec3d>>(NodeId::root, s.colors());
+      operations.add(*colors_);
+    }
+    if (s.cut_report().copied_vertices > 0)
+      invariants_.push_back(std::make_unique<CopiesStayApart>(s.source_positions()));
+    for (const auto& i : invariants_) operations.add(*i);
+  }
+
+  Propagation operations;
+
+ private:
+  VertexAttribute<Vec3d> positions_;
+  std::vector<std::unique_ptr<VertexAttribute<Vec2d>>> texcoords_;
+  std::unique_ptr<VertexAttribute<Vec3d>> colors_;
+  std::vector<std::unique_ptr<Coordinates>> places_;
+  std::vector<std::unique_ptr<Invariant>> invariants_;
+
+ public:
+  CoordinatesOf<Vec3d> positions;
+  std::vector<Coordinates*> below;
+};
+
+/// Locks vertices as long as it lives.
+class Locks {
+ public:
+  Locks(TexturedSurface& s, const SurfaceRemeshOptions& o) : surface_(s) {
+    const Mesh& root = s.tree().mesh(NodeId::root);
+    for (Index e = 0; e < root.capacity(1); ++e) {
+      if (!root.is_live(1, e)) continue;
+      const Dart d = root.dart_of(1, e);
+      CurveKinds seams = 0;
+      for (std::size_t k = 0; k < s.textures().size(); ++k) seams |= seam_of(k) | texture_border_of(k);
+      const bool lock =
+          (o.lock_boundary && root.is_boundary(d, 1)) || (o.lock_seams && (s.curve_kinds(d) & seams) != 0);
+      if (!lock) continue;
+      for (const Dart end : {d, root.reorder(d, exchange_ends)})
+        if (const Index v = root.vertex(end); !root.is_locked(v)) s.set_locked(v, true), locked_.push_back(v);
+    }
+  }
+  ~Locks() {
+    for (const Index v : locked_) surface_.set_locked(v, false);
+  }
+  Locks(const Locks&) = delete;
+  Locks& operator=(const Locks&) = delete;
+
+ private:
+  TexturedSurface& surface_;
+  std::vector<Index> locked_;
+};
+
+}  // namespace
+
+RemeshResult remesh(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
+                    const RemeshOptions& options) {
+  return run(operations, positions, below, options, {});
+}
+
+RemeshResult remesh(TexturedSurface& surface, const SurfaceRemeshOptions& options) {
+  check(options);
+  const Locks locks(surface, options);
+  SurfaceFields fields(surface);
+  remeshing::Hooks hooks;
+  if (surface.has_normals()) {
+    const Mesh& root = surface.tree().mesh(NodeId::root);
+    hooks.keeps_edge = [&](Index e) { return surface.hard(e); };
+    hooks.collapsing = [&](Dart e) -> std::function<void()> {
+      return [&surface, merging = MergingEdges(root, e)] { merging.keep_hardness(surface); };
+    };
+  }
+  return run(fields.operations, fields.positions, fields.below, options, std::move(hooks));
+}
+
+}  // namespace multimesh

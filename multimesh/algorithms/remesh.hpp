@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "multimesh/algorithms/remeshing/coordinates.hpp"
+#include "multimesh/algorithms/textured_surface.hpp"
+
+namespace multimesh {
+
+struct RemeshOptions {
+  /// The edge length wanted, in the units of the positions. Must be given.
+  double length = 0;
+  /// Rounds of split, collapse, swap and smoothing.
+  int iterations = 10;
+  /// Called after each round with its number, from 1 on. May throw: the tree is valid then.
+  std::function<void(int round)> progress;
+};
+
+/// Of a TexturedSurface.
+struct SurfaceRemeshOptions : RemeshOptions {
+  bool lock_boundary = false;  ///< boundary edges and their vertices stay as they are
+  bool lock_seams = false;     ///< the same for seams, positions and texture coordinates
+};
+
+struct RemeshResult {
+  std::size_t splits = 0, collapses = 0, swaps = 0, moves = 0;
+  std::size_t edges = 0;           ///< of the root, at the end
+  std::size_t edges_in_range = 0;  ///< of these, as long as 4/5 to 4/3 of the length wanted
+  double seconds = 0;              ///< by the wall clock
+};
+
+/// Isotropic remeshing: edges come to have one length, triangles good angles, vertices about six neighbours.
+/// What the tree has besides its root goes along: each seam of a mesh below, each curve and each boundary
+/// stays a line of the same topology; it is split, collapsed along itself and smoothed along itself. Vertices
+/// where such lines end, meet or change stay where they are, as do locked ones; special edges between two
+/// locked vertices are not split.
+///
+/// Positions end on the input's surface and curves, and the coordinates of meshes below are those that the
+/// input has at that point. No triangle turns its normal over; none of a mesh below with coordinates in the
+/// plane flips or loses its area.
+///
+/// `positions`: of the root, of dimension 2. `below`: coordinates of its children of dimension 2 (texture
+/// coordinates); those not given are neither kept from flipping nor moved along. `operations` must have the
+/// attributes of all of them, and what else should follow; its options are kept. \throw InputError for
+/// options out of range. Cost: O(n log n) per round. Source: Botsch, Kobbelt, A remeshing approach to
+/// multiresolution modeling, 2004.
+RemeshResult remesh(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
+                    const RemeshOptions& options);
+
+/// The same for a textured surface with all its sets of texture coordinates, colours, curves, labels and hard
+/// edges.
+RemeshResult remesh(TexturedSurface& surface, const SurfaceRemeshOptions& options);
+
+}  // namespace multimesh

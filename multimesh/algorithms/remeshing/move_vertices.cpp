@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tangential smoothing, and the way back to the input.
+#include <algorithm>
+#include <limits>
+
+#include "multimesh/algorithms/remeshing/remesher.hpp"
+
+namespace multimesh::remeshing {
+
+using OpenMesh::Vec3d;
+
+void Remesher::smooth() {
+  for (Index v = 0; v < root_.capacity(0); ++v)
+    if (root_.is_live(0, v))
+      if (const Dart d = root_.dart_of(0, v); d != no_dart) smooth(d);
+}
+
+/// Of the triangles around a vertex, weighted by area; their normal, weighted too.
+Vec3d Remesher::centre(Dart vertex, Vec3d& normal) {
+  root_.star(vertex, 0, star_);
+  Vec3d sum(0, 0, 0);
+  double area = 0;
+  normal = Vec3d(0, 0, 0);
+  for (const Dart t : star_) {
+    std::array<Index, 4> v{};
+    root_.vertices(t, v.data());
+    const Vec3d p = positions_.at(v[0]), q = positions_.at(v[1]), r = positions_.at(v[2]);
+    const Vec3d n = cross(q - p, r - p);
+    const double a = n.norm();
+    sum += (p + q + r) * (a / 3);
+    area += a;
+    normal += n;
+  }
+  return area > 0 ? sum / area : at(vertex);
+}
+
+void Remesher::smooth(Dart vertex) {
+  std::array<Dart, 2> line{};
+  const Freedom freedom = strata_.freedom(vertex, line);
+  if (freedom == Freedom::none) return;
+  const Vec3d here = at(vertex);
+  Vec3d step;
+  if (freedom == Freedom::line) {
+    step = (at(root_.reorder(line[0], exchange_ends)) + at(root_.reorder(line[1], exchange_ends))) / 2 - here;
+  } else {
+    Vec3d normal;
+    step = centre(vertex, normal) - here;
+    if (normal.sqrnorm() > 0) step -= normal * ((step | normal) / normal.sqrnorm());
+  }
+  for (const double share : {1.0, 0.5, 0.25, 0.0})  // the last one: at least onto the input
+    if (const auto to = place(vertex, freedom, line, here + step * share); to && move(vertex, *to)) {
+      ++result_.moves;
+      return;
+    }
+}
+
+std::optional<Place> Remesher::place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
+                                     const Vec3d& wanted) {
+  if (freedom == Freedom::none) return std::nullopt;
+  if (freedom == Freedom::line) return reference_.on_line(line_[root_.simplex(line[0], 1)], wanted);
+  Vec3d normal;
+  (void)centre(vertex, normal);
+  return reference_.on_patch(patch_[root_.facet(vertex)], wanted, normal);
+}
+
+// Each copy of the vertex in a mesh below gets one of the coordinates there: on a line, those of its own
+// side, which are the nearest ones.
+bool Remesher::assign(const Place& to) {
+  writes_.clear();
+  for (std::size_t m = 0; m < below_.size(); ++m) {
+    std::vector<Vec3d> free;
+    for (const auto& b : to.below)
+      if (b.mesh == m) free.push_back(b.at);
+    const std::span<const Copy> copies = copies_.of(below_[m]->node());
+    if (copies.size() != free.size()) return false;
+    const auto now = [&](const Copy& c) { return below_[m]->at(tree_.mesh(c.node).vertex(c.dart)); };
+    if (copies.size() == 2) {
+      const double straight = (now(copies[0]) - free[0]).sqrnorm() + (now(copies[1]) - free[1]).sqrnorm();
+      const double crossed = (now(copies[0]) - free[1]).sqrnorm() + (now(copies[1]) - free[0]).sqrnorm();
+      if (crossed < straight) std::swap(free[0], free[1]);
+    }
+    for (std::size_t i = 0; i < copies.size(); ++i) writes_.push_back({m, copies[i].dart, free[i]});
+  }
+  return true;
+}
+
+bool Remesher::move(Dart vertex, const Place& to) {
+  copies_.collect(tree_, vertex, 0);
+  if (!assign(to) || !shape_.allows(vertex, to.position)) return false;
+  for (const Write& w : writes_)
+    if (!shapes_below_[w.mesh].allows(w.dart, w.at)) return false;
+  return bool(operations_.relocate(NodeId::root, vertex, [&](const Event&) {
+    positions_.set(root_.vertex(vertex), to.position);
+    for (const Write& w : writes_) {
+      Coordinates& c = *below_[w.mesh];
+      c.set(tree_.mesh(c.node()).vertex(w.dart), w.at);
+    }
+  }));
+}
+
+}  // namespace multimesh::remeshing

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/remeshing/reference.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace multimesh::remeshing {
+
+using OpenMesh::Vec3d;
+
+namespace {
+
+spatial::Point point(const Vec3d& p) {
+  return {p[0], p[1], p[2]};
+}
+
+}  // namespace
+
+Reference::Reference(const MultiMesh& tree, const Coordinates& positions, std::span<Coordinates* const> below,
+                     Strata& strata, std::vector<Index>& patch, std::vector<Index>& line)
+    : tree_(tree), root_(tree.mesh(NodeId::root)), positions_(positions), below_(below), strata_(strata) {
+  number_patches(patch);
+  number_lines(line);
+  add_triangles(patch);
+  add_segments(line);
+  triangles_.emplace(std::move(patches_.triangles));
+  if (!lines_.group.empty()) segments_.emplace(std::move(lines_.triangles));
+}
+
+// Faces that are joined by plain edges.
+void Reference::number_patches(std::vector<Index>& patch) {
+  std::fill(patch.begin(), patch.end(), no_index);
+  DartBuffer waiting;
+  Index n = 0;
+  for (Index f = 0; f < root_.capacity(2); ++f) {
+    if (!root_.is_live(2, f) || patch[f] != no_index) continue;
+    patch[f] = n;
+    waiting.push_back(root_.dart_of(2, f));
+    while (!waiting.empty()) {
+      const Dart t = waiting.back();
+      waiting.pop_back();
+      for (const Permutation side : {Permutation{}, edge_ax, edge_bx}) {
+        const Dart e = root_.reorder(t, side);
+        const Dart beyond = root_.switch_dart(e, 2);
+        if (beyond == no_dart || patch[root_.facet(beyond)] != no_index || !strata_.is_plain(e)) continue;
+        patch[root_.facet(beyond)] = n;
+        waiting.push_back(beyond);
+      }
+    }
+    ++n;
+  }
+}
+
+// Edges with a kind that are joined by vertices that may go along them.
+void Reference::number_lines(std::vector<Index>& line) {
+  std::fill(line.begin(), line.end(), 0);
+  DartBuffer waiting;
+  Index n = 0;
+  for (Index e = 0; e < root_.capacity(1); ++e) {
+    if (!root_.is_live(1, e) || line[e] != 0 || strata_.is_plain(root_.dart_of(1, e))) continue;
+    line[e] = ++n;
+    waiting.push_back(root_.dart_of(1, e));
+    while (!waiting.empty()) {
+      const Dart d = waiting.back();
+      waiting.pop_back();
+      for (const Dart end : {d, root_.reorder(d, exchange_ends)}) {
+        std::array<Dart, 2> two{};
+        if (strata_.freedom(end, two) != Freedom::line) continue;
+        for (const Dart next : two)
+          if (Index& known = line[root_.simplex(next, 1)]; known == 0) known = n, waiting.push_back(next);
+      }
+    }
+  }
+}
+
+// The k-simplex of d with everything that the meshes below have over it.
+void Reference::add(Layer& layer, Dart d, int k, Index group) {
+  std::array<Index, 4> v{};
+  root_.vertices(d, v.data());
+  const auto corner = [&](std::size_t i) { return i > static_cast<std::size_t>(k) ? std::size_t(k) : i; };
+  const std::array<Vec3d, 3> p{positions_.at(v[0]), positions_.at(v[1]), positions_.at(v[corner(2)])};
+  layer.triangles.push_back({point(p[0]), point(p[1]), point(p[2])});
+  layer.group.push_back(group);
+  layer.normal.push_back(cross(p[1] - p[0], p[2] - p[0]));
+  DartBuffer copies;
+  for (std::size_t m = 0; m < below_.size(); ++m) {
+    const NodeId n = below_[m]->node();
+    copies.clear();
+    tree_.to_descendant(NodeId::root, d, k, n, copies);
+    for (const Dart c : copies) {
+      tree_.mesh(n).vertices(c, v.data());
+      layer.below.push_back({m, {below_[m]->at(v[0]), below_[m]->at(v[1]), below_[m]->at(v[corner(2)])}});
+    }
+  }
+  layer.begin.push_back(static_cast<std::uint32_t>(layer.below.size()));
+}
+
+void Reference::add_triangles(std::vector<Index>& patch) {
+  for (Index f = 0; f < root_.capacity(2); ++f)
+    if (root_.is_live(2, f)) add(patches_, root_.dart_of(2, f), 2, patch[f]);
+}
+
+void Reference::add_segments(std::vector<Index>& line) {
+  for (Index e = 0; e < root_.capacity(1); ++e)
+    if (root_.is_live(1, e) && line[e] != 0) add(lines_, root_.dart_of(1, e), 1, line[e]);
+}
+
+Place Reference::place(const Layer& layer, const spatial::TriangleTree& tree, const spatial::Nearby& found) {
+  const auto& w = found.barycentric;
+  const spatial::Point p = spatial::at(tree.triangles()[found.facet], w);
+  Place result{{p[0], p[1], p[2]}, {}};
+  for (std::uint32_t i = layer.begin[found.facet]; i < layer.begin[found.facet + 1]; ++i) {
+    const Values& x = layer.below[i];
+    result.below.push_back({x.mesh, x.at[0] * w[0] + x.at[1] * w[1] + x.at[2] * w[2]});
+  }
+  return result;
+}
+
+std::optional<Place> Reference::on_patch(Index patch, const Vec3d& p, const Vec3d& normal) const {
+  const auto found =
+      triangles_->nearest_chosen(point(p), [&](Index f) -> std::optional<spatial::PointOnTriangle> {
+        if (patches_.group[f] != patch || (patches_.normal[f] | normal) < 0) return std::nullopt;
+        return spatial::closest_point(point(p), triangles_->triangles()[f]);
+      });
+  if (!found) return std::nullopt;
+  return place(patches_, *triangles_, *found);
+}
+
+std::optional<Place> Reference::on_line(Index line, const Vec3d& p) const {
+  if (!segments_) return std::nullopt;
+  const auto found =
+      segments_->nearest_chosen(point(p), [&](Index f) -> std::optional<spatial::PointOnTriangle> {
+        if (lines_.group[f] != line) return std::nullopt;
+        return spatial::closest_point(point(p), segments_->triangles()[f]);
+      });
+  if (!found) return std::nullopt;
+  return place(lines_, *segments_, *found);
+}
+
+}  // namespace multimesh::remeshing

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OpenMesh/Core/Geometry/VectorT.hh>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "adapters/embree/triangle_tree.hpp"
+#include "multimesh/algorithms/remeshing/coordinates.hpp"
+#include "multimesh/algorithms/remeshing/strata.hpp"
+
+namespace multimesh::remeshing {
+
+/// A point of the input, and the coordinates of the meshes below there: side by side one on each side of a
+/// line.
+struct Place {
+  OpenMesh::Vec3d position;
+  struct Below {
+    std::size_t mesh;  ///< which of the coordinates
+    OpenMesh::Vec3d at;
+  };
+  std::vector<Below> below;
+};
+
+/// The surface as it was, its patches (what lies between lines) and its lines (between vertices that stay). A
+/// vertex belongs to one of them all its life, so that it never jumps to another sheet.
+class Reference {
+ public:
+  /// Numbers of patches and lines are kept in properties of the root's faces and edges, which the operations
+  /// hand on: `patch` per face; `line` per edge, one more than the number, 0 for plain edges. Cost: O(n log
+  /// n)
+  Reference(const MultiMesh& tree, const Coordinates& positions, std::span<Coordinates* const> below,
+            Strata& strata, std::vector<Index>& patch, std::vector<Index>& line);
+
+  /// The point of a patch closest to p among those that look the same way as `normal`, within half a space.
+  std::optional<Place> on_patch(Index patch, const OpenMesh::Vec3d& p, const OpenMesh::Vec3d& normal) const;
+  std::optional<Place> on_line(Index line, const OpenMesh::Vec3d& p) const;
+
+ private:
+  struct Values {  ///< of one mesh below, at the corners of a triangle or the ends of a segment
+    std::size_t mesh;
+    std::array<OpenMesh::Vec3d, 3> at;
+  };
+  /// Triangles, or segments as triangles without area, and what is below each: from begin[i] on.
+  struct Layer {
+    std::vector<Index> group;
+    std::vector<OpenMesh::Vec3d> normal;
+    std::vector<std::uint32_t> begin{0};
+    std::vector<Values> below;
+    std::vector<spatial::Triangle> triangles;
+  };
+  void add_triangles(std::vector<Index>& patch);
+  void add_segments(std::vector<Index>& line);
+  void number_patches(std::vector<Index>& patch);
+  void number_lines(std::vector<Index>& line);
+  void add(Layer& layer, Dart d, int k, Index group);
+  static Place place(const Layer& layer, const spatial::TriangleTree& tree, const spatial::Nearby& found);
+
+  const MultiMesh& tree_;
+  const Mesh& root_;
+  const Coordinates& positions_;
+  std::span<Coordinates* const> below_;
+  Strata& strata_;
+  Layer patches_, lines_;
+  std::optional<spatial::TriangleTree> triangles_, segments_;
+};
+
+}  // namespace multimesh::remeshing

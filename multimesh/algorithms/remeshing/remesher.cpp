@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The passes: which edges, in which order, and when.
+#include "multimesh/algorithms/remeshing/remesher.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace multimesh::remeshing {
+
+using OpenMesh::Vec3d;
+
+namespace {
+
+// Botsch and Kobbelt 2004, section 4: of the length wanted.
+constexpr double shortest_share = 4.0 / 5, longest_share = 4.0 / 3;
+/// With these thresholds edges come to be 0.92 of the length that they are shares of, on average (docs/remesh.md);
+/// who asks for a length means the average.
+constexpr double of_average = 1 / 0.92;
+/// How far a vertex that is removed may be from the surface then, of the length wanted.
+constexpr double nearness = 0.25;
+/// A pass is repeated until it finds nothing more to do, at most so often.
+constexpr int most_sweeps = 16;
+/// Moves of all vertices per round.
+constexpr int smoothings = 2;
+
+}  // namespace
+
+Remesher::Remesher(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
+                   const RemeshOptions& options, std::vector<Index>& patch, std::vector<Index>& line,
+                   Hooks hooks)
+    : operations_(operations),
+      tree_(operations.tree()),
+      root_(tree_.mesh(NodeId::root)),
+      positions_(positions),
+      below_(below),
+      options_(options),
+      patch_(patch),
+      line_(line),
+      hooks_(std::move(hooks)),
+      shortest_(of_average * shortest_share * options.length),
+      longest_(of_average * longest_share * options.length),
+      strata_(tree_),
+      reference_(tree_, positions, below, strata_, patch, line),
+      shape_(root_, positions, false) {
+  for (const Coordinates* c : below) shapes_below_.emplace_back(tree_.mesh(c->node()), *c, true);
+}
+
+RemeshResult Remesher::run() {
+  const auto start = std::chrono::steady_clock::now();
+  for (int round = 1; round <= options_.iterations; ++round) {
+    split_long_edges();
+    collapse_short_edges();
+    swap_edges();
+    for (int i = 0; i < smoothings; ++i) smooth();
+    if (options_.progress) options_.progress(round);
+  }
+  count_edges();
+  result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result_;
+}
+
+void Remesher::count_edges() {
+  for (Index e = 0; e < root_.capacity(1); ++e) {
+    if (!root_.is_live(1, e)) continue;
+    const double l = length(root_.dart_of(1, e));
+    ++result_.edges;
+    result_.edges_in_range += l >= shortest_share * options_.length && l <= longest_share * options_.length;
+  }
+}
+
+std::vector<std::pair<double, Index>> Remesher::edges_in(double shortest, double longest) const {
+  std::vector<std::pair<double, Index>> list;
+  for (Index e = 0; e < root_.capacity(1); ++e) {
+    if (!root_.is_live(1, e)) continue;
+    const double l = length(root_.dart_of(1, e));
+    if (l > shortest && l < longest) list.emplace_back(l, e);
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+void Remesher::split_long_edges() {
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    auto list = edges_in(longest_, std::numeric_limits<double>::infinity());
+    std::reverse(list.begin(), list.end());
+    std::size_t split = 0;
+    for (const auto& [was, e] : list) {
+      const Dart d = root_.dart_of(1, e);
+      if (length(d) <= longest_ || strata_.is_frozen(d)) continue;
+      const Outcome o = operations_.split(NodeId::root, d);
+      if (!o) continue;
+      ++split;
+      const Dart v = root_.reorder(o.root, exchange_ends);
+      std::array<Dart, 2> line{};
+      const Freedom freedom = strata_.freedom(v, line);
+      if (const auto to = place(v, freedom, line, at(v))) move(v, *to);
+    }
+    result_.splits += split;
+    if (split == 0) return;
+  }
+}
+
+void Remesher::collapse_short_edges() {
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    std::size_t collapsed = 0;
+    for (const auto& [was, e] : edges_in(-1, shortest_))
+      if (root_.is_live(1, e)) collapsed += collapse(root_.dart_of(1, e));
+    result_.collapses += collapsed;
+    if (collapsed == 0) return;
+  }
+}
+
+// Of (a, b, ..): a is free on the surface, or on a line that the edge is part of.
+bool Remesher::may_be_removed(Dart edge) {
+  const Freedom freedom = strata_.freedom(edge);
+  return freedom == Freedom::surface || (freedom == Freedom::line && !strata_.is_plain(edge));
+}
+
+double Remesher::longest_after_collapse(Dart edge) {
+  const Dart other = root_.reorder(edge, exchange_ends);
+  strata_.edges_at(edge, edges_);
+  double longest = 0;
+  for (const Dart x : edges_)
+    longest = std::max(longest, (at(root_.reorder(x, exchange_ends)) - at(other)).norm());
+  return longest;
+}
+
+// The vertex a of (a, b, ..) is near the triangles that there are without it.
+bool Remesher::stays_near(Dart edge) {
+  const auto point = [&](Index v) {
+    const Vec3d p = positions_.at(v);
+    return spatial::Point{p[0], p[1], p[2]};
+  };
+  const Index a = root_.vertex(edge), b = root_.vertex(root_.reorder(edge, exchange_ends));
+  root_.star(edge, 0, star_);
+  for (const Dart t : star_) {
+    std::array<Index, 4> v{};
+    root_.vertices(t, v.data());
+    if (v[1] == b || v[2] == b) continue;
+    const double d2 = spatial::closest_point(point(a), {point(b), point(v[1]), point(v[2])}).squared_distance;
+    if (d2 <= nearness * nearness * options_.length * options_.length) return true;
+  }
+  return false;
+}
+
+bool Remesher::collapse(Dart edge) {
+  if (length(edge) >= shortest_ || strata_.is_frozen(edge)) return false;
+  std::array<std::pair<double, Dart>, 2> ways{};
+  std::size_t n = 0;
+  for (const Dart d : {edge, root_.reorder(edge, exchange_ends)})
+    if (may_be_removed(d)) ways[n++] = {longest_after_collapse(d), d};
+  if (n == 2 && ways[1].first < ways[0].first) std::swap(ways[0], ways[1]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& [longest, d] = ways[i];
+    if (longest > longest_ || !stays_near(d)) continue;
+    const Dart b = root_.reorder(d, exchange_ends);
+    if (!shape_.allows(d, at(b), root_.vertex(b))) continue;
+    copies_.collect(tree_, d, 1);
+    bool good = true;
+    for (std::size_t m = 0; good && m < below_.size(); ++m)
+      for (const Copy& c : copies_.of(below_[m]->node())) {
+        const Mesh& mesh = tree_.mesh(c.node);
+        const Index kept = mesh.vertex(mesh.reorder(c.dart, exchange_ends));
+        good = good && shapes_below_[m].allows(c.dart, below_[m]->at(kept), kept);
+      }
+    if (!good) continue;
+    const auto done = hooks_.collapsing ? hooks_.collapsing(d) : std::function<void()>();
+    if (!operations_.collapse(NodeId::root, d, Placement::keep_b())) continue;
+    if (done) done();
+    return true;
+  }
+  return false;
+}
+
+void Remesher::swap_edges() {
+  for (Index e = 0; e < root_.capacity(1); ++e)
+    if (root_.is_live(1, e)) result_.swaps += swap(root_.dart_of(1, e));
+}
+
+/// How far from the regular number of neighbours a vertex is with so many more.
+int Remesher::deviation(Dart vertex, int change) {
+  root_.star(vertex, 0, star_);
+  const bool boundary = root_.is_boundary(vertex, 0);
+  const int valence = static_cast<int>(star_.size()) + boundary;
+  return std::abs(valence + change - (boundary ? 4 : 6));
+}
+
+bool Remesher::swap(Dart edge) {
+  if (root_.is_boundary(edge, 1) || !strata_.is_plain(edge)) return false;
+  if (hooks_.keeps_edge && hooks_.keeps_edge(root_.simplex(edge, 1))) return false;
+  const Dart beyond = root_.switch_dart(edge, 2);
+  const Dart b = root_.reorder(edge, exchange_ends), l = root_.reorder(edge, permutation(2, 0, 1)),
+             r = root_.reorder(beyond, permutation(2, 0, 1));
+  const int now = deviation(edge, 0) + deviation(b, 0) + deviation(l, 0) + deviation(r, 0);
+  const int then = deviation(edge, -1) + deviation(b, -1) + deviation(l, 1) + deviation(r, 1);
+  if (then > now) return false;
+  const double angle_now = std::min(least_angle(at(edge), at(b), at(l)), least_angle(at(edge), at(b), at(r)));
+  const double angle_then = std::min(least_angle(at(edge), at(r), at(l)), least_angle(at(b), at(r), at(l)));
+  if (then == now ? angle_then <= angle_now : angle_then < 0.5 * angle_now) return false;
+  if (!shape_.allows_swap(edge)) return false;
+  copies_.collect(tree_, edge, 1);
+  for (std::size_t m = 0; m < below_.size(); ++m)
+    for (const Copy& c : copies_.of(below_[m]->node()))
+      if (!shapes_below_[m].allows_swap(c.dart)) return false;
+  return bool(operations_.swap(NodeId::root, edge));
+}
+
+}  // namespace multimesh::remeshing

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/algorithms/remeshing/reference.hpp"
+#include "multimesh/algorithms/remeshing/star_shape.hpp"
+#include "multimesh/algorithms/remeshing/strata.hpp"
+
+namespace multimesh::remeshing {
+
+/// What else an application keeps.
+struct Hooks {
+  /// Edges of the root that are not swapped.
+  std::function<bool(Index edge)> keeps_edge;
+  /// Called before a collapse of (a, b, ..); what it returns is called if it is done.
+  std::function<std::function<void()>(Dart edge)> collapsing;
+};
+
+/// One run. The passes change the mesh so that lengths come into range; between them vertices are moved to
+/// where triangles are regular, always onto the input.
+class Remesher {
+ public:
+  Remesher(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
+           const RemeshOptions& options, std::vector<Index>& patch, std::vector<Index>& line,
+           Hooks hooks = {});
+  RemeshResult run();
+
+ private:
+  void split_long_edges();
+  void collapse_short_edges();
+  void swap_edges();
+  void smooth();
+
+  bool may_be_removed(Dart edge);
+  bool collapse(Dart edge);
+  double longest_after_collapse(Dart edge);
+  bool stays_near(Dart edge);
+  bool swap(Dart edge);
+  int deviation(Dart vertex, int change);
+  void smooth(Dart vertex);
+  OpenMesh::Vec3d centre(Dart vertex, OpenMesh::Vec3d& normal);
+  std::optional<Place> place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
+                             const OpenMesh::Vec3d& wanted);
+  bool move(Dart vertex, const Place& to);
+  bool assign(const Place& to);
+
+  OpenMesh::Vec3d at(Dart d) const { return positions_.at(root_.vertex(d)); }
+  double length(Dart edge) const { return (at(edge) - at(root_.reorder(edge, exchange_ends))).norm(); }
+  std::vector<std::pair<double, Index>> edges_in(double shortest, double longest) const;
+  void count_edges();
+
+  Propagation& operations_;
+  const MultiMesh& tree_;
+  const Mesh& root_;
+  Coordinates& positions_;
+  std::span<Coordinates* const> below_;
+  const RemeshOptions& options_;
+  std::vector<Index>&patch_, &line_;
+  Hooks hooks_;
+  double shortest_, longest_;
+
+  Strata strata_;
+  Reference reference_;
+  StarShape shape_;
+  std::vector<StarShape> shapes_below_;
+  RemeshResult result_;
+
+  struct Write {
+    std::size_t mesh;
+    Dart dart;
+    OpenMesh::Vec3d at;
+  };
+  Copies copies_;
+  std::vector<Write> writes_;
+  DartBuffer star_, edges_;
+};
+
+}  // namespace multimesh::remeshing

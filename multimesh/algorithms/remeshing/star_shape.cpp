@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/remeshing/star_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multimesh::remeshing {
+
+using OpenMesh::Vec3d;
+
+namespace {
+
+/// Of the angle by which a normal may turn in one step.
+constexpr double least_cosine = 0.3;
+
+Vec3d normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return cross(b - a, c - a);
+}
+
+}  // namespace
+
+bool StarShape::same_side(const Triangle& before, const Triangle& after) const {
+  const Vec3d n = normal(before[0], before[1], before[2]), m = normal(after[0], after[1], after[2]);
+  const double lengths = n.norm() * m.norm();
+  if (n.sqrnorm() == 0) return true;
+  return planar_ ? n[2] * m[2] > 0 : lengths > 0 && (n | m) > least_cosine * lengths;
+}
+
+bool StarShape::allows(Dart vertex, const Vec3d& to, Index without) {
+  mesh_.star(vertex, 0, star_);
+  for (const Dart t : star_) {
+    std::array<Index, 4> v{};
+    mesh_.vertices(t, v.data());
+    if (v[1] == without || v[2] == without) continue;
+    const Vec3d x = at_.at(v[1]), y = at_.at(v[2]);
+    if (!same_side({at_.at(v[0]), x, y}, {to, x, y})) return false;
+  }
+  return true;
+}
+
+bool StarShape::allows_swap(Dart edge) {
+  mesh_.star(edge, 1, star_);
+  if (star_.size() != 2) return false;
+  std::array<Index, 4> v{}, w{};
+  mesh_.vertices(star_[0], v.data());
+  mesh_.vertices(star_[1], w.data());
+  const Vec3d a = at_.at(v[0]), b = at_.at(v[1]), l = at_.at(v[2]), r = at_.at(w[2]);
+  const Triangle left{a, b, l}, right{b, a, r}, low{a, r, l}, high{r, b, l};
+  for (const Triangle& before : {left, right})
+    for (const Triangle& after : {low, high})
+      if (!same_side(before, after)) return false;
+  return same_side(left, right);
+}
+
+double least_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const auto at = [](const Vec3d& p, const Vec3d& q, const Vec3d& r) {
+    return std::atan2(cross(q - p, r - p).norm(), (q - p) | (r - p));
+  };
+  return std::min({at(a, b, c), at(b, c, a), at(c, a, b)});
+}
+
+}  // namespace multimesh::remeshing

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/remeshing/strata.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace multimesh::remeshing {
+
+EdgeKind Strata::kind(Dart e) {
+  copies_.collect(tree_, e, 1);
+  EdgeKind kind;
+  for (const NodeId n : tree_.nodes()) {
+    const Mesh& mesh = tree_.mesh(n);
+    const std::span<const Copy> here = copies_.of(n);
+    // A seam may be interior in its mesh: where two sheets have the edge.
+    for (const Copy& c : here)
+      if (mesh.dimension() == 1 || here.size() > 1 || mesh.is_boundary(c.dart, 1))
+        kind.meshes_.push_back(index(n));
+  }
+  return kind;
+}
+
+void Strata::edges_at(Dart vertex, DartBuffer& edges) {
+  root_.star(vertex, 0, star_);
+  edges.assign(star_.begin(), star_.end());
+  if (!root_.is_boundary(vertex, 0)) return;
+  for (const Dart t : star_) {  // the last edge of an open fan is the first one of no facet
+    const Dart other = root_.reorder(t, edge_ax);
+    if (root_.is_boundary(other, 1) && !root_.is_boundary(t, 1)) edges.push_back(other);
+  }
+  std::vector<Index> seen;
+  std::erase_if(edges, [&](Dart d) {
+    const Index e = root_.simplex(d, 1);
+    if (std::find(seen.begin(), seen.end(), e) != seen.end()) return true;
+    seen.push_back(e);
+    return false;
+  });
+}
+
+Freedom Strata::freedom(Dart vertex, std::array<Dart, 2>& line) {
+  if (root_.is_locked(root_.vertex(vertex))) return Freedom::none;
+  edges_at(vertex, edges_);
+  EdgeKind first;
+  int n = 0;
+  for (const Dart e : edges_) {
+    EdgeKind k = kind(e);
+    if (k.is_plain()) continue;
+    if (n == 2 || (n == 1 && !(k == first))) return Freedom::none;
+    line[static_cast<std::size_t>(n++)] = e;
+    if (n == 1) first = std::move(k);
+  }
+  if (n == 1 || !runs_through(vertex, first)) return Freedom::none;
+  return n == 0 ? Freedom::surface : Freedom::line;
+}
+
+// In every mesh the vertex has as many copies as each of its two edges, and no curve ends there.
+bool Strata::runs_through(Dart vertex, const EdgeKind& kind) {
+  copies_.collect(tree_, vertex, 0);
+  for (const NodeId n : tree_.nodes()) {
+    const auto of_edge =
+        static_cast<std::uint32_t>(std::count(kind.meshes_.begin(), kind.meshes_.end(), index(n)));
+    const std::span<const Copy> here = copies_.of(n);
+    const Mesh& mesh = tree_.mesh(n);
+    for (const Copy& c : here)
+      if (mesh.is_locked(mesh.vertex(c.dart))) return false;
+    if (mesh.dimension() == 1) {
+      if (here.size() != of_edge) return false;
+      for (const Copy& c : here)
+        if (mesh.is_boundary(c.dart, 0)) return false;
+    } else if (of_edge > 0 ? here.size() != of_edge : here.size() > 1) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace multimesh::remeshing

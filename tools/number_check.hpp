@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace multimesh::tools {
+
+/// An option's value is a number for which `holds`; else the message says what it must be. `type`: how the
+/// value is called in the help.
+inline CLI::Validator number(bool (*holds)(double), const std::string& must_be, const std::string& type) {
+  const auto check = [=](std::string& s) {
+    double x = 0;
+    return CLI::detail::lexical_cast(s, x) && holds(x) ? std::string() : "must be " + must_be;
+  };
+  return CLI::Validator(check, type);
+}
+
+}  // namespace multimesh::tools
