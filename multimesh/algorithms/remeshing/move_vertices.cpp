@@ -89,13 +89,15 @@ bool Remesher::move(Dart vertex, const Place& to) {
   if (!assign(to) || !shape_.allows(vertex, to.position)) return false;
   for (const Write& w : writes_)
     if (!shapes_below_[w.mesh].allows(w.dart, w.at)) return false;
-  return bool(operations_.relocate(NodeId::root, vertex, [&](const Event&) {
+  const auto write = [&](const Event&) {
     positions_.set(root_.vertex(vertex), to.position);
     for (const Write& w : writes_) {
       Coordinates& c = *below_[w.mesh];
       c.set(tree_.mesh(c.node()).vertex(w.dart), w.at);
     }
-  }));
+  };
+  root_.star(vertex, 0, changing_);
+  return guarded(changing_, 0, [&] { return operations_.relocate(NodeId::root, vertex, write); });
 }
 
 }  // namespace multimesh::remeshing

@@ -35,6 +35,10 @@ class Reference {
 
   /// The point of a patch closest to p among those that look the same way as `normal`, within half a space.
   std::optional<Place> on_patch(Index patch, const OpenMesh::Vec3d& p, const OpenMesh::Vec3d& normal) const;
+  /// Whether any of the surface is within a distance of p.
+  bool has_within(const spatial::Point& p, double distance) const {
+    return triangles_->nearest(p, distance).has_value();
+  }
   std::optional<Place> on_line(Index line, const OpenMesh::Vec3d& p) const;
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace multimesh::remeshing {
 
@@ -14,11 +15,12 @@ namespace {
 
 // Botsch and Kobbelt 2004, section 4: of the length wanted.
 constexpr double shortest_share = 4.0 / 5, longest_share = 4.0 / 3;
-/// With these thresholds edges come to be 0.92 of the length that they are shares of, on average (docs/remesh.md);
-/// who asks for a length means the average.
+/// With these thresholds edges come to be 0.92 of the length that they are shares of, on average
+/// (docs/remesh.md); who asks for a length means the average.
 constexpr double of_average = 1 / 0.92;
-/// How far a vertex that is removed may be from the surface then, of the length wanted.
-constexpr double nearness = 0.25;
+/// How far the surface may be from the input, and how dense the points are by which that is judged; of the
+/// length wanted.
+constexpr double nearness = 0.4, spacing = 0.5;
 /// A pass is repeated until it finds nothing more to do, at most so often.
 constexpr int most_sweeps = 16;
 /// Moves of all vertices per round.
@@ -42,6 +44,7 @@ Remesher::Remesher(Propagation& operations, Coordinates& positions, std::span<Co
       longest_(of_average * longest_share * options.length),
       strata_(tree_),
       reference_(tree_, positions, below, strata_, patch, line),
+      guard_(root_, positions, reference_, nearness * options.length, spacing * options.length),
       shape_(root_, positions, false) {
   for (const Coordinates* c : below) shapes_below_.emplace_back(tree_.mesh(c->node()), *c, true);
 }
@@ -88,10 +91,15 @@ void Remesher::split_long_edges() {
     for (const auto& [was, e] : list) {
       const Dart d = root_.dart_of(1, e);
       if (length(d) <= longest_ || strata_.is_frozen(d)) continue;
-      const Outcome o = operations_.split(NodeId::root, d);
-      if (!o) continue;
+      Dart v = no_dart;
+      const auto halve = [&] {
+        Outcome o = operations_.split(NodeId::root, d);
+        if (o) o.root = v = root_.reorder(o.root, exchange_ends);
+        return o;
+      };
+      root_.star(d, 1, changing_);
+      if (!guarded(changing_, 0, halve)) continue;
       ++split;
-      const Dart v = root_.reorder(o.root, exchange_ends);
       std::array<Dart, 2> line{};
       const Freedom freedom = strata_.freedom(v, line);
       if (const auto to = place(v, freedom, line, at(v))) move(v, *to);
@@ -126,21 +134,19 @@ double Remesher::longest_after_collapse(Dart edge) {
   return longest;
 }
 
-// The vertex a of (a, b, ..) is near the triangles that there are without it.
-bool Remesher::stays_near(Dart edge) {
-  const auto point = [&](Index v) {
-    const Vec3d p = positions_.at(v);
-    return spatial::Point{p[0], p[1], p[2]};
-  };
-  const Index a = root_.vertex(edge), b = root_.vertex(root_.reorder(edge, exchange_ends));
-  root_.star(edge, 0, star_);
-  for (const Dart t : star_) {
-    std::array<Index, 4> v{};
-    root_.vertices(t, v.data());
-    if (v[1] == b || v[2] == b) continue;
-    const double d2 = spatial::closest_point(point(a), {point(b), point(v[1]), point(v[2])}).squared_distance;
-    if (d2 <= nearness * nearness * options_.length * options_.length) return true;
+bool Remesher::guarded(DartBuffer& triangles, int k, const std::function<Outcome()>& operation) {
+  guard_.take(triangles);
+  {
+    Transaction undone = operations_.transaction();
+    if (const Outcome o = operation()) {
+      root_.star(o.root, k, triangles);
+      if (guard_.settle(triangles)) {
+        undone.commit();
+        return true;
+      }
+    }
   }
+  guard_.give_back();
   return false;
 }
 
@@ -153,7 +159,7 @@ bool Remesher::collapse(Dart edge) {
   if (n == 2 && ways[1].first < ways[0].first) std::swap(ways[0], ways[1]);
   for (std::size_t i = 0; i < n; ++i) {
     const auto& [longest, d] = ways[i];
-    if (longest > longest_ || !stays_near(d)) continue;
+    if (longest > longest_) continue;
     const Dart b = root_.reorder(d, exchange_ends);
     if (!shape_.allows(d, at(b), root_.vertex(b))) continue;
     copies_.collect(tree_, d, 1);
@@ -166,7 +172,14 @@ bool Remesher::collapse(Dart edge) {
       }
     if (!good) continue;
     const auto done = hooks_.collapsing ? hooks_.collapsing(d) : std::function<void()>();
-    if (!operations_.collapse(NodeId::root, d, Placement::keep_b())) continue;
+    root_.star(d, 0, changing_);
+    root_.star(b, 0, star_);
+    for (const Dart t : star_)
+      if (root_.vertex(d) != root_.vertex(root_.reorder(t, exchange_ends)) &&
+          root_.vertex(d) != root_.vertex(root_.reorder(t, permutation(2, 0, 1))))
+        changing_.push_back(t);
+    if (!guarded(changing_, 0, [&] { return operations_.collapse(NodeId::root, d, Placement::keep_b()); }))
+      continue;
     if (done) done();
     return true;
   }
@@ -203,7 +216,8 @@ bool Remesher::swap(Dart edge) {
   for (std::size_t m = 0; m < below_.size(); ++m)
     for (const Copy& c : copies_.of(below_[m]->node()))
       if (!shapes_below_[m].allows_swap(c.dart)) return false;
-  return bool(operations_.swap(NodeId::root, edge));
+  root_.star(edge, 1, changing_);
+  return guarded(changing_, 1, [&] { return operations_.swap(NodeId::root, edge); });
 }
 
 }  // namespace multimesh::remeshing

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/algorithms/remeshing/distance_guard.hpp"
 #include "multimesh/algorithms/remeshing/reference.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
 #include "multimesh/algorithms/remeshing/strata.hpp"
@@ -38,7 +39,6 @@ class Remesher {
   bool may_be_removed(Dart edge);
   bool collapse(Dart edge);
   double longest_after_collapse(Dart edge);
-  bool stays_near(Dart edge);
   bool swap(Dart edge);
   int deviation(Dart vertex, int change);
   void smooth(Dart vertex);
@@ -46,6 +46,9 @@ class Remesher {
   std::optional<Place> place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
                              const OpenMesh::Vec3d& wanted);
   bool move(Dart vertex, const Place& to);
+  /// An operation on these triangles, undone if it takes the surface too far from the input. `k`: the
+  /// triangles that there are then are those around the vertex or the edge of its dart.
+  bool guarded(DartBuffer& triangles, int k, const std::function<Outcome()>& operation);
   bool assign(const Place& to);
 
   OpenMesh::Vec3d at(Dart d) const { return positions_.at(root_.vertex(d)); }
@@ -65,6 +68,7 @@ class Remesher {
 
   Strata strata_;
   Reference reference_;
+  DistanceGuard guard_;
   StarShape shape_;
   std::vector<StarShape> shapes_below_;
   RemeshResult result_;
@@ -76,7 +80,7 @@ class Remesher {
   };
   Copies copies_;
   std::vector<Write> writes_;
-  DartBuffer star_, edges_;
+  DartBuffer star_, edges_, changing_;
 };
 
 }  // namespace multimesh::remeshing

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "multimesh/algorithms/remeshing/coordinates.hpp"
+#include "multimesh/algorithms/remeshing/reference.hpp"
+
+namespace multimesh::remeshing {
+
+/// Keeps the surface near the input, and the input near the surface. Points of the input, its vertices and so
+/// many more that they are dense, each belong to a triangle that is near; when triangles change, their points
+/// must be near one of those that are there then. Triangles that bend away from their neighbours are asked
+/// the other way round, too.
+class DistanceGuard {
+ public:
+  /// `bound`: distance; `spacing`: of the points. Cost: linear, and in area / spacing^2
+  DistanceGuard(const Mesh& root, const Coordinates& positions, const Reference& input, double bound,
+                double spacing);
+
+  /// Takes the points of triangles that are about to change.
+  void take(const DartBuffer& triangles);
+  /// Gives them to the triangles that are there now, if all of them are near enough. Else nothing is done.
+  bool settle(const DartBuffer& triangles);
+  /// Gives them back to the triangles that had them.
+  void give_back();
+
+ private:
+  struct Taken {
+    Index point, triangle;
+  };
+  void add_points(Index facet, double spacing);
+  void put(Index point, Index triangle);
+  bool touches_boundary(Dart triangle) const;
+  bool is_near_input(const DartBuffer& triangles) const;
+  spatial::Triangle triangle(Dart d) const;
+
+  const Mesh& root_;
+  const Coordinates& positions_;
+  const Reference& input_;
+  double bound_;
+  std::vector<spatial::Point> points_;
+  std::vector<Index> next_;   // per point: one more than the next one of its triangle
+  std::vector<Index> first_;  // per triangle: one more than its first point
+  std::vector<Taken> taken_;
+  std::vector<Index> settled_;
+};
+
+}  // namespace multimesh::remeshing
