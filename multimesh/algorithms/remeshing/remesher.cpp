@@ -15,7 +15,7 @@ namespace {
 
 // Botsch and Kobbelt 2004, section 4: of the length wanted.
 constexpr double shortest_share = 4.0 / 5, longest_share = 4.0 / 3;
-/// With these thresholds edges come to be 0.92 of the length that they are shares of, on average
+/// With these thresholds edges on a surface come to be 0.92 of the length that they are shares of, on average
 /// (docs/remesh.md); who asks for a length means the average.
 constexpr double of_average = 1 / 0.92;
 /// How far the surface may be from the input, and how dense the points are by which that is judged; of the
@@ -76,11 +76,16 @@ std::vector<std::pair<double, Index>> Remesher::edges_in(double shortest, double
   std::vector<std::pair<double, Index>> list;
   for (Index e = 0; e < root_.capacity(1); ++e) {
     if (!root_.is_live(1, e)) continue;
-    const double l = length(root_.dart_of(1, e));
+    const double l = measure(root_.dart_of(1, e));
     if (l > shortest && l < longest) list.emplace_back(l, e);
   }
   std::sort(list.begin(), list.end());
   return list;
+}
+
+// Along a line, edges are as long on average as the thresholds say.
+double Remesher::measure(Dart edge, double length) const {
+  return line_[root_.simplex(edge, 1)] == 0 ? length : of_average * length;
 }
 
 void Remesher::split_long_edges() {
@@ -90,7 +95,7 @@ void Remesher::split_long_edges() {
     std::size_t split = 0;
     for (const auto& [was, e] : list) {
       const Dart d = root_.dart_of(1, e);
-      if (length(d) <= longest_ || strata_.is_frozen(d)) continue;
+      if (measure(d) <= longest_ || strata_.is_frozen(d)) continue;
       Dart v = no_dart;
       const auto halve = [&] {
         Outcome o = operations_.split(NodeId::root, d);
@@ -129,8 +134,10 @@ double Remesher::longest_after_collapse(Dart edge) {
   const Dart other = root_.reorder(edge, exchange_ends);
   strata_.edges_at(edge, edges_);
   double longest = 0;
-  for (const Dart x : edges_)
-    longest = std::max(longest, (at(root_.reorder(x, exchange_ends)) - at(other)).norm());
+  for (const Dart x : edges_) {
+    const double then = (at(root_.reorder(x, exchange_ends)) - at(other)).norm();
+    longest = std::max(longest, measure(x, then));
+  }
   return longest;
 }
 
@@ -151,7 +158,7 @@ bool Remesher::guarded(DartBuffer& triangles, int k, const std::function<Outcome
 }
 
 bool Remesher::collapse(Dart edge) {
-  if (length(edge) >= shortest_ || strata_.is_frozen(edge)) return false;
+  if (measure(edge) >= shortest_ || strata_.is_frozen(edge)) return false;
   std::array<std::pair<double, Dart>, 2> ways{};
   std::size_t n = 0;
   for (const Dart d : {edge, root_.reorder(edge, exchange_ends)})

@@ -53,6 +53,10 @@ class Remesher {
 
   OpenMesh::Vec3d at(Dart d) const { return positions_.at(root_.vertex(d)); }
   double length(Dart edge) const { return (at(edge) - at(root_.reorder(edge, exchange_ends))).norm(); }
+  /// Its length beside the thresholds.
+  double measure(Dart edge) const { return measure(edge, length(edge)); }
+  double measure(Dart edge, double length) const;
+  /// By measure, ascending.
   std::vector<std::pair<double, Index>> edges_in(double shortest, double longest) const;
   void count_edges();
 

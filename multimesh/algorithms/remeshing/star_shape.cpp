@@ -13,6 +13,17 @@ namespace {
 /// Of the angle by which a normal may turn in one step.
 constexpr double least_cosine = 0.3;
 
+/// Triangles that are flatter than this are not made; nor flatter ones of those that are. See roundness().
+constexpr double flat = 0.05;
+
+/// Twice the area over the square of the longest edge: 0.87 if equilateral. `n`: the cross product of two
+/// edges.
+double roundness(const std::array<Vec3d, 3>& t, const Vec3d& n) {
+  const double longest =
+      std::max({(t[1] - t[0]).sqrnorm(), (t[2] - t[1]).sqrnorm(), (t[0] - t[2]).sqrnorm()});
+  return longest > 0 ? n.norm() / longest : 0;
+}
+
 Vec3d normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return cross(b - a, c - a);
 }
@@ -21,9 +32,10 @@ Vec3d normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 bool StarShape::same_side(const Triangle& before, const Triangle& after) const {
   const Vec3d n = normal(before[0], before[1], before[2]), m = normal(after[0], after[1], after[2]);
-  const double lengths = n.norm() * m.norm();
-  if (n.sqrnorm() == 0) return true;
-  return planar_ ? n[2] * m[2] > 0 : lengths > 0 && (n | m) > least_cosine * lengths;
+  if (planar_) return n[2] == 0 || n[2] * m[2] > 0;
+  const double flatness = std::min(flat, roundness(before, n));
+  if (roundness(after, m) < flatness) return false;
+  return n.sqrnorm() == 0 || (n | m) > least_cosine * n.norm() * m.norm();
 }
 
 bool StarShape::allows(Dart vertex, const Vec3d& to, Index without) {

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The same algorithm on a user's own OpenMesh mesh: alone, with a texture, with curves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "adapters/openmesh/attach.hpp"
+#include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/validate.hpp"
+#include "test/openmesh_tools/textured_torus.hpp"
+
+namespace multimesh::test {
+namespace {
+
+using Problems = std::vector<std::string>;
+
+template <class Mesh>
+class RemeshAttached : public testing::Test {};
+using Meshes = testing::Types<DoubleMesh, FloatMesh>;
+TYPED_TEST_SUITE(RemeshAttached, Meshes);
+
+template <class Mesh>
+double share_in_range(const Mesh& mesh, double length) {
+  std::size_t in = 0;
+  for (const auto e : mesh.edges()) {
+    const double l = double(mesh.calc_edge_length(e));
+    in += l >= 0.8 * length && l <= 4.0 / 3 * length;
+  }
+  return double(in) / double(mesh.n_edges());
+}
+
+TYPED_TEST(RemeshAttached, RunsUnchangedAloneAndInATree) {
+  enum Children { none, texture, texture_and_curves };
+  for (const bool open : {false, true})
+    for (const Children children : {none, texture, texture_and_curves}) {
+      SCOPED_TRACE(std::to_string(open) + " " + std::to_string(children));
+      TypeParam mesh;
+      make_torus(mesh, 30, 20, 2, open);
+      openmesh::Attached attached(mesh);
+      CoordinatesOf positions(attached.points());
+      std::unique_ptr<Coordinates> places;
+      std::vector<Coordinates*> below;
+      if (children >= texture) {
+        (void)attached.add_texture();
+        places = std::make_unique<CoordinatesOf<OpenMesh::Vec2d>>(attached.texcoords());
+        below.push_back(places.get());
+      }
+      if (children == texture_and_curves)
+        (void)attached.add_edges([&](OpenMesh::EdgeHandle e) {
+          const auto h = mesh.halfedge_handle(e, 0);
+          const int rows = 20 + open, v = mesh.from_vertex_handle(h).idx(),
+                    w = mesh.to_vertex_handle(h).idx();
+          return v % rows == 7 && w % rows == 7;
+        });
+      std::vector<MeshReport> before;
+      for (const NodeId n : attached.tree().nodes()) before.push_back(report(attached.tree().mesh(n)));
+      RemeshOptions options;
+      options.length = 0.25;
+      options.iterations = 4;
+      const RemeshResult r = remesh(attached.operations(), positions, below, options);
+      EXPECT_GT(r.moves, 0U);
+      EXPECT_EQ(validate(attached.tree()), Problems{});
+      attached.garbage_collection();
+      EXPECT_GT(share_in_range(mesh, options.length), 0.85);
+      std::size_t i = 0;
+      for (const NodeId n : attached.tree().nodes()) {
+        const MeshReport now = report(attached.tree().mesh(n));
+        EXPECT_EQ(now.components, before[i].components);
+        EXPECT_EQ(now.euler_characteristic, before[i].euler_characteristic);
+        EXPECT_EQ(now.boundary, before[i++].boundary);
+      }
+      if (children == none) continue;
+      std::size_t flipped = 0;
+      for (const auto f : mesh.faces()) {
+        const auto h = mesh.halfedge_handle(f);
+        const auto a = mesh.texcoord2D(h), b = mesh.texcoord2D(mesh.next_halfedge_handle(h)),
+                   c = mesh.texcoord2D(mesh.prev_halfedge_handle(h));
+        flipped += (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]) <= 0;
+      }
+      EXPECT_EQ(flipped, 0U);
+    }
+}
+
+TYPED_TEST(RemeshAttached, LeavesNoPropertyBehind) {
+  TypeParam mesh;
+  make_torus(mesh, 12, 8, 1, false);
+  openmesh::Attached attached(mesh);
+  CoordinatesOf positions(attached.points());
+  RemeshOptions options;
+  options.length = 0.6;
+  options.iterations = 1;
+  (void)remesh(attached.operations(), positions, {}, options);
+  OpenMesh::FPropHandleT<Index> patch;
+  OpenMesh::EPropHandleT<Index> line;
+  EXPECT_FALSE(mesh.get_property_handle(patch, "mm:patch"));
+  EXPECT_FALSE(mesh.get_property_handle(line, "mm:line"));
+}
+
+}  // namespace
+}  // namespace multimesh::test
