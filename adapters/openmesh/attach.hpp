@@ -47,8 +47,10 @@ class Attached : public AttachedTree {
 
   /// \throw InputError naming the first face that is not a triangle, vertex that is not manifold, or pair of
   /// simplices with the same vertices; UsageError if the mesh is attached already. Cost: linear, with a sort
-  explicit Attached(UserMesh& mesh)
-      : AttachedTree(mesh), mesh_(mesh), points_(follow_values(NodeId::root, values(mesh.points_pph()))) {
+  explicit Attached(UserMesh& mesh, Watching edits = Watching::on)
+      : AttachedTree(mesh, edits),
+        mesh_(mesh),
+        points_(follow_values(NodeId::root, values(mesh.points_pph()))) {
     if (mesh.has_vertex_normals())
       follow_values(NodeId::root, values(mesh.vertex_normals_pph()),
                     mean_direction(values(mesh.vertex_normals_pph())));

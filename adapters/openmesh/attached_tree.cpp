@@ -39,8 +39,8 @@ void rename(const KeptHandles& handles, const Compaction& moved) {
 
 }  // namespace
 
-AttachedTree::AttachedTree(OpenMesh::PolyConnectivity& root)
-    : root_(root), tree_(std::make_unique<TriangleMesh>(root)), operations_(tree_) {}
+AttachedTree::AttachedTree(OpenMesh::PolyConnectivity& root, Watching edits)
+    : root_(root), tree_(std::make_unique<TriangleMesh>(root, edits)), operations_(tree_) {}
 
 Dart AttachedTree::dart(OpenMesh::HalfedgeHandle h) const {
   const bool known = h.is_valid() && static_cast<std::size_t>(h.idx()) < root_.n_halfedges();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "adapters/openmesh/texture_child.hpp"
+#include "adapters/openmesh/watch.hpp"
 #include "multimesh/operations.hpp"
 
 namespace multimesh::openmesh {
@@ -66,7 +67,7 @@ class AttachedTree {
   void resync(const KeptHandles& handles = {});
 
  protected:
-  explicit AttachedTree(OpenMesh::PolyConnectivity& root);
+  AttachedTree(OpenMesh::PolyConnectivity& root, Watching edits);
   ~AttachedTree() = default;
 
   void keep(std::unique_ptr<Attribute> attribute);

@@ -81,32 +81,31 @@ void Connectivity::watch() {
   set_watched();
 }
 
-template <class Write>
-void Connectivity::watched(std::initializer_list<int> halfedges, const Write& write) {
-  if (watch_)
-    for (const int h : halfedges) watch_->leave_out(h);
-  write();
-  if (watch_)
-    for (const int h : halfedges) watch_->put_in(h);
-}
-
 void Connectivity::write_to(int h, int v) {
-  watched({h, h ^ 1}, [&] { om_.set_vertex_handle(handle(h), OpenMesh::VertexHandle(v)); });
+  if (watch_) watch_->will_point(h, v);
+  om_.set_vertex_handle(handle(h), OpenMesh::VertexHandle(v));
 }
 
 void Connectivity::write_face(int h, int f) {
-  watched({h}, [&] { om_.set_face_handle(handle(h), OpenMesh::FaceHandle(f)); });
+  if (watch_) watch_->will_have_face(h, f);
+  om_.set_face_handle(handle(h), OpenMesh::FaceHandle(f));
 }
 
 void Connectivity::write_edge_status(std::uint32_t e, unsigned bits) {
-  const int h = 2 * signed_word(e);
-  watched({h, h + 1}, [&] { (*edge_status_)[e].set_bits(bits); });
+  OpenMesh::Attributes::StatusInfo& status = (*edge_status_)[e];
+  const bool was_dead = status.deleted();
+  status.set_bits(bits);
+  if (!watch_ || was_dead == status.deleted()) return;
+  for (const int h : {2 * signed_word(e), 2 * signed_word(e) + 1})
+    was_dead ? watch_->put_in(h) : watch_->leave_out(h);
 }
 
 void Connectivity::pop(std::size_t vertices, std::size_t edges, std::size_t faces) {
   if (vertices == om_.n_vertices() && edges == om_.n_edges() && faces == om_.n_faces()) return;
   if (watch_)
-    for (std::size_t h = 2 * edges; h < om_.n_halfedges(); ++h) watch_->leave_out(static_cast<int>(h));
+    for (std::size_t e = edges; e < om_.n_edges(); ++e)
+      if (!(*edge_status_)[e].deleted())
+        for (const int h : {2 * static_cast<int>(e), 2 * static_cast<int>(e) + 1}) watch_->leave_out(h);
   om_.resize(vertices, edges, faces);
   if (watch_) watch_->note_counts();
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -139,9 +138,6 @@ class Connectivity : public Mesh {
     log_.push_back({word, column, index, old});
   }
   void log_counts();
-  /// A write that changes what we know of these halfedges.
-  template <class Write>
-  void watched(std::initializer_list<int> halfedges, const Write& write);
   int named(int k, int element);
   void write_to(int h, int v);
   void write_face(int h, int f);

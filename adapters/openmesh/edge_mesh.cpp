@@ -7,10 +7,10 @@
 
 namespace multimesh::openmesh {
 
-EdgeMesh::EdgeMesh(OpenMesh::PolyConnectivity& om) : Connectivity(1, om) {
+EdgeMesh::EdgeMesh(OpenMesh::PolyConnectivity& om, Watching edits) : Connectivity(1, om) {
   require_consistent();
   require_proper();
-  watch();
+  if (edits == Watching::on) watch();
 }
 
 EdgeMesh::EdgeMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : Connectivity(1, *om) {

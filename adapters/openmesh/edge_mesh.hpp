@@ -12,7 +12,7 @@ class EdgeMesh final : public Connectivity {
  public:
   /// \throw InputError naming the first vertex with more than two edges, halfedge that is linked otherwise,
   /// or pair of edges with the same vertices; UsageError if it is attached already
-  explicit EdgeMesh(OpenMesh::PolyConnectivity& om);
+  explicit EdgeMesh(OpenMesh::PolyConnectivity& om, Watching edits = Watching::on);
   /// Keeps a mesh. \throw as the other constructor; that no two simplices have the same vertices is not
   /// checked
   explicit EdgeMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om);

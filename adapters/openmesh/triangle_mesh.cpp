@@ -9,11 +9,11 @@
 
 namespace multimesh::openmesh {
 
-TriangleMesh::TriangleMesh(OpenMesh::PolyConnectivity& om) : Connectivity(2, om) {
+TriangleMesh::TriangleMesh(OpenMesh::PolyConnectivity& om, Watching edits) : Connectivity(2, om) {
   require_triangles();
   require_consistent();
   require_proper();
-  watch();
+  if (edits == Watching::on) watch();
 }
 
 TriangleMesh::TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om) : Connectivity(2, *om) {

@@ -14,7 +14,7 @@ class TriangleMesh final : public Connectivity {
   /// Attaches a mesh of the user's, in place. \throw InputError naming the first face that is not a
   /// triangle, vertex that is not manifold, or pair of simplices with the same vertices; UsageError if it is
   /// attached already
-  explicit TriangleMesh(OpenMesh::PolyConnectivity& om);
+  explicit TriangleMesh(OpenMesh::PolyConnectivity& om, Watching edits = Watching::on);
   /// Keeps a mesh. \throw as the other constructor; that no two simplices have the same vertices is not
   /// checked
   explicit TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om);

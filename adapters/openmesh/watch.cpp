@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/openmesh/watch.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <string>
 
 #include "multimesh/error.hpp"
-#include "multimesh/hash.hpp"
 
 namespace multimesh::openmesh {
 
@@ -13,15 +13,8 @@ namespace {
 
 constexpr const char* prefix = "mm:watch";
 
-std::uint64_t word(int i) {
-  return static_cast<std::uint32_t>(i);
-}
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-std::uint64_t hash(int halfedge, int to, int face) {
-  return ArrayHash()(std::array<std::uint64_t, 2>{word(halfedge) << 32 | word(to), word(face)});
 }
 
 }  // namespace
@@ -33,6 +26,7 @@ Watch::Watch(OpenMesh::PolyConnectivity& om) : om_(om) {
   om_.add_property(edge_names_, name + ":edge");
   om_.add_property(face_names_, name + ":face");
   sums_ = &om_.property(sum_property_).data_vector();
+  edge_status_ = &om_.property(om_.edge_status_pph()).data_vector();
   names_ = {&om_.property(vertex_names_).data_vector(), &om_.property(edge_names_).data_vector(),
             &om_.property(face_names_).data_vector()};
   accept();
@@ -57,15 +51,6 @@ bool Watch::is_dead(int k, int i) const {
   return k == 0   ? om_.status(OpenMesh::VertexHandle(i)).deleted()
          : k == 1 ? om_.status(OpenMesh::EdgeHandle(i)).deleted()
                   : om_.status(OpenMesh::FaceHandle(i)).deleted();
-}
-
-void Watch::count(int h, bool in) {
-  if (is_dead(1, h >> 1)) return;
-  const int from = om_.to_vertex_handle(OpenMesh::HalfedgeHandle(h ^ 1)).idx();
-  if (from < 0 || at(from) >= sums_->size()) return;
-  const OpenMesh::HalfedgeHandle handle(h);
-  const std::uint64_t x = hash(h, om_.to_vertex_handle(handle).idx(), om_.face_handle(handle).idx());
-  (*sums_)[at(from)] += in ? x : 0 - x;
 }
 
 void Watch::note_counts() {
@@ -147,7 +132,8 @@ void Watch::accept() {
   note_counts();
   for (auto* names : names_) std::iota(names->begin(), names->end(), Index{1});
   std::fill(sums_->begin(), sums_->end(), 0);
-  for (int h = 0; h < static_cast<int>(om_.n_halfedges()); ++h) put_in(h);
+  for (int h = 0; h < static_cast<int>(om_.n_halfedges()); ++h)
+    if (!is_dead_edge(h)) put_in(h);
 }
 
 }  // namespace multimesh::openmesh

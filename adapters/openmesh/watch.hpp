@@ -11,6 +11,10 @@
 
 namespace multimesh::openmesh {
 
+/// Whether edits of an attached mesh by others are looked for. Off, they must not happen: nothing notices
+/// them then.
+enum class Watching : bool { off, on };
+
 /// Tells whether a connectivity that others can reach is still as our last write left it.
 ///
 /// OpenMesh has no hooks, so the only sure signs are the words themselves. Per vertex we keep the sum, over
@@ -26,10 +30,23 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  // Around each write of ours: leave out the halfedges that it changes, and put them in again. Those of dead
-  // edges, and without a vertex, do not count.
-  void leave_out(int halfedge) { count(halfedge, false); }
-  void put_in(int halfedge) { count(halfedge, true); }
+  // What our writes change, told before (to, face) or in between (edges that come and go: their halfedges are
+  // put in while the edge is live). Those of dead edges, and without a vertex, do not count.
+  void will_point(int halfedge, int vertex) {
+    if (is_dead_edge(halfedge)) return;
+    const int twin = halfedge ^ 1, from = to(twin), old = to(halfedge), face = face_of(halfedge);
+    add(from, hash(halfedge, vertex, face) - hash(halfedge, old, face));
+    const std::uint64_t back = hash(twin, from, face_of(twin));
+    add(old, 0 - back);
+    add(vertex, back);
+  }
+  void will_have_face(int halfedge, int face) {
+    if (is_dead_edge(halfedge)) return;
+    const int end = to(halfedge);
+    add(to(halfedge ^ 1), hash(halfedge, end, face) - hash(halfedge, end, face_of(halfedge)));
+  }
+  void leave_out(int halfedge) { add(to(halfedge ^ 1), 0 - hash_of(halfedge)); }
+  void put_in(int halfedge) { add(to(halfedge ^ 1), hash_of(halfedge)); }
   /// New elements have been added, or the last ones taken away: they are ours.
   void note_counts();
   void name(int k, int element);
@@ -56,7 +73,25 @@ class Watch {
   using Counts = std::array<std::size_t, 3>;
   Counts counts_now() const;
   bool is_dead(int k, int element) const;
-  void count(int halfedge, bool in);
+  bool is_dead_edge(int halfedge) const {
+    return (*edge_status_)[static_cast<std::size_t>(halfedge >> 1)].deleted();
+  }
+  int to(int h) const { return om_.to_vertex_handle(OpenMesh::HalfedgeHandle(h)).idx(); }
+  int face_of(int h) const { return om_.face_handle(OpenMesh::HalfedgeHandle(h)).idx(); }
+  void add(int vertex, std::uint64_t x) {
+    if (vertex >= 0 && static_cast<std::size_t>(vertex) < sums_->size())
+      (*sums_)[static_cast<std::size_t>(vertex)] += x;
+  }
+  /// Of three words, mixed as in splitmix64 (Steele, Lea, Flood 2014).
+  static std::uint64_t hash(int halfedge, int to, int face) {
+    const auto word = [](int i) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(i)); };
+    std::uint64_t x = (word(halfedge) << 32 | word(to)) * 0x9e3779b97f4a7c15ULL;
+    x = (x ^ (x >> 32)) + word(face);
+    x *= 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ (x >> 29)) * 0x94d049bb133111ebULL;
+    return x ^ (x >> 32);
+  }
+  std::uint64_t hash_of(int h) const { return hash(h, to(h), face_of(h)); }
   template <class Name>
   std::uint64_t sum_around(int vertex, const Name& name) const;
 
@@ -67,6 +102,7 @@ class Watch {
   OpenMesh::EPropHandleT<Index> edge_names_;
   OpenMesh::FPropHandleT<Index> face_names_;
   std::vector<std::uint64_t>* sums_;
+  const std::vector<OpenMesh::Attributes::StatusInfo>* edge_status_;
   std::array<std::vector<Index>*, 3> names_;  // one more than the index that we know; 0: not ours
 };
 

@@ -217,6 +217,16 @@ TEST_F(EditsOutside, OurOwnOperationsAndTheirUndoingAreNone) {
   ASSERT_NO_THROW(attached_->tree().require_in_step());
 }
 
+TEST_F(EditsOutside, AreNotLookedForIfThereAreNone) {
+  UserMesh mesh = make();
+  openmesh::Attached attached(mesh, openmesh::Watching::off);
+  EXPECT_FALSE(attached.tree().mesh(NodeId::root).is_watched());
+  EXPECT_TRUE(attached.split(mesh.edge_handle(mesh.find_halfedge(at(3, 3), at(3, 4)))));
+  attached.tree().require_in_step();
+  attached.garbage_collection();
+  EXPECT_EQ(validate(attached.tree()), std::vector<std::string>{});
+}
+
 TEST_F(EditsOutside, ProtectedPropertiesAreNone) {
   attached_->operations().protect_properties(true);
   FunctionInvariant never("never", {}, [](const Event&) { return false; });

@@ -5,6 +5,10 @@
 #include "multimesh/error.hpp"
 #include "multimesh/version.hpp"
 
+#if !MULTIMESH_VERSION_AT_LEAST(0, 1, 0) || MULTIMESH_VERSION_AT_LEAST(99, 0, 0)
+#error "the version of the installed headers"
+#endif
+
 int main() {
   try {
     throw multimesh::InputError(multimesh::version);

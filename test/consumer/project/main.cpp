@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a project that uses all of our libraries writes: core, openmesh, io, algorithms, spatial and compare.
+// What a project that uses all of our libraries writes: core, openmesh, io, algorithms, spatial, compare and
+// remesh.
 #include <cstdio>
 #include <exception>
 
@@ -7,6 +8,7 @@
 #include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/algorithms/compare.hpp"
 #include "multimesh/algorithms/decimate.hpp"
+#include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/validate.hpp"
 #include "multimesh/version.hpp"
 
@@ -31,8 +33,12 @@ int main() try {
   const auto& root = dynamic_cast<const openmesh::Connectivity&>(surface.tree().mesh(NodeId::root));
   std::printf("multimesh %s: %zu faces -> %zu of %zu in OpenMesh's arrays\n", version, result.faces_before,
               result.faces_after, root.openmesh().n_faces());
+  TexturedSurface even(input);
+  SurfaceRemeshOptions options;
+  options.length = 0.2;
+  const RemeshResult remeshed = remesh(even, options);
   const SurfaceComparison comparison = compare_surfaces(input, input, {.samples = 100});
-  return validate(surface.tree()).empty() && result.faces_before == 4 && comparison.hausdorff < 1e-12 ? 0 : 1;
+  return validate(surface.tree()).empty() && validate(even.tree()).empty() && remeshed.splits > 0 && result.faces_before == 4 && comparison.hausdorff < 1e-12 ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;
