@@ -10,7 +10,7 @@
 
 namespace multimesh {
 
-/// Facets by their vertices, dimension + 1 each, side by side: #F x (dimension + 1).
+/// Facets by their vertices, dimension + 1 each, side by side: \#F x (dimension + 1).
 struct FacetList {
   int dimension = 2;
   Index vertices = 0;  ///< indices are below this

@@ -13,10 +13,10 @@ packages+=(libtet1.5-dev)
 
 # HTML reports. NodeSource's nodejs brings an npm of its own, which Debian's npm conflicts with.
 command -v npm >/dev/null || packages+=(nodejs npm)
-# What only tests ask: a browser (on Ubuntu it is a snap), other readers of mesh files (200 MB). Elsewhere those
+# What only tests ask: a browser (on Ubuntu it is a snap), other readers of mesh files (200 MB), doxygen. Elsewhere those
 # tests are skipped without them.
 grep -qx 'ID=debian' /etc/os-release 2>/dev/null &&
-  packages+=(chromium fonts-dejavu-core gmsh python3-meshio)
+  packages+=(chromium fonts-dejavu-core gmsh python3-meshio doxygen)
 
 if ! command -v dpkg-query >/dev/null; then
   echo "setup: not a Debian system; provide the equivalents of: ${packages[*]}" >&2

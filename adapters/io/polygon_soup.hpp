@@ -56,14 +56,14 @@ struct PolygonSoup {
   std::vector<std::array<double, 3>> colors;  ///< red, green, blue in [0, 1] per position, or empty
 
   std::vector<Corner> corners;
-  std::vector<std::uint32_t> face_begin = {0};  ///< #F+1 offsets into corners
+  std::vector<std::uint32_t> face_begin = {0};  ///< \#F+1 offsets into corners
   std::vector<std::uint32_t> face_line;         ///< line of the file, counted from 1; 0 = none (binary)
 
   std::vector<Section> sections;
-  std::vector<std::uint32_t> face_section;  ///< #F indices into sections
+  std::vector<std::uint32_t> face_section;  ///< \#F indices into sections
 
   std::vector<std::int32_t> line_corners;  ///< indices into positions of all polylines, one after the other
-  std::vector<std::uint32_t> line_begin = {0};  ///< #L+1 offsets into line_corners
+  std::vector<std::uint32_t> line_begin = {0};  ///< \#L+1 offsets into line_corners
 
   std::vector<std::string> material_libraries;  ///< as written in the file, each once
   SoupNotes notes;

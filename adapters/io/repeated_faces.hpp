@@ -9,7 +9,7 @@
 namespace multimesh::io {
 
 /// The faces whose vertices, in any order, are those of an earlier face; ascending. Faces without corners are
-/// passed over. Cost: O(#F log) at worst, linear in practice.
+/// passed over. Cost: O(\#F log) at worst, linear in practice.
 /// \pre every vertex index is in range.
 std::vector<std::uint32_t> repeated_faces(const PolygonSoup& soup);
 

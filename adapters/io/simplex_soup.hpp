@@ -33,9 +33,9 @@ struct SimplexNotes {
 struct SimplexSoup {
   /// The simplices of one dimension k.
   struct Block {
-    std::vector<std::uint32_t> corners;  ///< #S x (k+1) indices into points, one simplex after the other
-    std::vector<std::int32_t> tags;      ///< #S; 0 = none
-    std::vector<std::uint8_t> flags;     ///< #S of SimplexFlag bits; or empty = none has any
+    std::vector<std::uint32_t> corners;  ///< \#S x (k+1) indices into points, one simplex after the other
+    std::vector<std::int32_t> tags;      ///< \#S; 0 = none
+    std::vector<std::uint8_t> flags;     ///< \#S of SimplexFlag bits; or empty = none has any
     std::size_t size() const { return tags.size(); }
     friend bool operator==(const Block&, const Block&) = default;
   };

@@ -13,9 +13,9 @@ namespace multimesh::io {
 /// The cells of an unstructured grid of VTK, as both of its formats have them.
 struct VtkCells {
   std::vector<std::int64_t> connectivity;  ///< points of all cells, one after the other
-  std::vector<std::int64_t> ends;          ///< #C: where in connectivity a cell ends
-  std::vector<std::int64_t> types;         ///< #C
-  std::vector<std::int32_t> tags;          ///< #C, or empty
+  std::vector<std::int64_t> ends;          ///< \#C: where in connectivity a cell ends
+  std::vector<std::int64_t> types;         ///< \#C
+  std::vector<std::int32_t> tags;          ///< \#C, or empty
 };
 
 /// Hands the cells to the builder: points are counted from `first_point`, cells from `first_cell` in

@@ -21,7 +21,7 @@ long double volume_of(std::span<const Point> points, const std::array<Index, 4>&
 /// A bound of the rounding error of volume_of().
 long double least_volume(std::span<const Point> points, const std::array<Index, 4>& corners);
 
-/// The volume that triangles enclose, #F x 3 corners; regions count as often as the surface goes round them.
+/// The volume that triangles enclose, \#F x 3 corners; regions count as often as the surface goes round them.
 long double enclosed_volume(std::span<const Point> points, std::span<const Index> corners);
 
 /// The first triangle whose faces, which follow each other, do not have its area and direction in sum;

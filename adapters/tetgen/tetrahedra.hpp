@@ -13,8 +13,8 @@ using Point = std::array<double, 3>;
 /// Tetrahedra as plain data. Of a tetrahedron (a, b, c, d), det(b - a, c - a, d - a) > 0: seen from d, the
 /// corners a, b, c run counter-clockwise.
 struct TetrahedraList {
-  std::vector<Point> points;                      ///< #V x 3
-  FacetList tets{.dimension = 3, .corners = {}};  ///< #T x 4, indices into points
+  std::vector<Point> points;                      ///< \#V x 3
+  FacetList tets{.dimension = 3, .corners = {}};  ///< \#T x 4, indices into points
 };
 
 /// The faces of a tetrahedron, face k opposite corner k, oriented so that their normals point outwards.

@@ -19,16 +19,16 @@ struct TexturedTriangles {
   /// Texture coordinates besides the first ones: a light map, for instance.
   struct UvSet {
     std::vector<OpenMesh::Vec2d> texcoords;
-    std::vector<std::array<std::int32_t, 3>> corners;  ///< #F; -1: none; a triangle has three or none
+    std::vector<std::array<std::int32_t, 3>> corners;  ///< \#F; -1: none; a triangle has three or none
   };
 
-  std::vector<OpenMesh::Vec3d> positions;  ///< #V
-  std::vector<OpenMesh::Vec2d> texcoords;  ///< #VT
+  std::vector<OpenMesh::Vec3d> positions;  ///< \#V
+  std::vector<OpenMesh::Vec2d> texcoords;  ///< \#VT
   std::vector<std::array<Corner, 3>> triangles;
   /// A label per triangle, or empty: materials, for instance. Borders between labels are kept as curves.
   std::vector<Index> labels;
   std::vector<UvSet> more_uv_sets;      ///< sets 1, 2, ...; set 0 is in `triangles`
-  std::vector<OpenMesh::Vec3d> colors;  ///< #V in [0, 1], or empty
+  std::vector<OpenMesh::Vec3d> colors;  ///< \#V in [0, 1], or empty
   /// Per triangle how its normals were, or empty: see shading.hpp.
   std::vector<std::uint8_t> shading;
 

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Draws the figures, and compares: the same files, about as large (the last digits may differ between machines).
+file(REMOVE_RECURSE "${WORK}")
+file(MAKE_DIRECTORY "${WORK}")
+execute_process(COMMAND "${DRAW}" "${SOURCE}/examples/data/spot/spot.obj" "${WORK}" COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB known RELATIVE "${SOURCE}/docs/figures" "${SOURCE}/docs/figures/*.svg")
+file(GLOB drawn RELATIVE "${WORK}" "${WORK}/*.svg")
+if(NOT known STREQUAL drawn OR known STREQUAL "")
+  message(FATAL_ERROR "drawn: ${drawn}; kept: ${known}; run draw_figures into docs/figures")
+endif()
+foreach(name IN LISTS known)
+  file(SIZE "${SOURCE}/docs/figures/${name}" size)
+  file(SIZE "${WORK}/${name}" now)
+  math(EXPR difference "100 * (${now} - ${size}) / ${size}")
+  if(difference GREATER 5 OR difference LESS -5)
+    message(FATAL_ERROR "${name} has ${now} bytes, the kept one ${size}; run draw_figures into docs/figures")
+  endif()
+endforeach()
