@@ -18,6 +18,9 @@ if(MULTIMESH_WITH_TETGEN)
   install(FILES cmake/MultimeshTetgen.cmake DESTINATION "${package_dir}")
 endif()
 
+list(TRANSFORM libraries REPLACE "^multimesh_" "" OUTPUT_VARIABLE multimesh_components)
+list(FILTER multimesh_components EXCLUDE REGEX "^dep_")
+list(JOIN multimesh_components ", " multimesh_components)
 configure_package_config_file(cmake/multimesh-config.cmake.in multimesh-config.cmake
   INSTALL_DESTINATION "${package_dir}")
 write_basic_package_version_file(multimesh-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "adapters/openmesh/connectivity.hpp"
+#include "adapters/openmesh/temporary_property.hpp"
 #include "multimesh/algorithms/remeshing/remesher.hpp"
 #include "multimesh/algorithms/surface_invariants.hpp"
 
@@ -14,21 +15,6 @@ using OpenMesh::Vec2d;
 using OpenMesh::Vec3d;
 
 namespace {
-
-/// A property of a mesh that goes when this does.
-template <class Handle>
-class Temporary {
- public:
-  Temporary(OpenMesh::PolyConnectivity& om, const char* name) : om_(om) { om_.add_property(handle_, name); }
-  ~Temporary() { om_.remove_property(handle_); }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  auto& values() { return om_.property(handle_).data_vector(); }
-
- private:
-  OpenMesh::PolyConnectivity& om_;
-  Handle handle_;
-};
 
 void check(const RemeshOptions& o) {
   if (!(o.length > 0) || !std::isfinite(o.length))
@@ -44,8 +30,8 @@ RemeshResult run(Propagation& operations, Coordinates& positions, std::span<Coor
   if (connectivity == nullptr || root.dimension() != 2)
     throw UsageError("remesh: the root must be a surface over OpenMesh");
   OpenMesh::PolyConnectivity& om = connectivity->openmesh();
-  Temporary<OpenMesh::FPropHandleT<Index>> patch(om, "mm:patch");
-  Temporary<OpenMesh::EPropHandleT<Index>> line(om, "mm:line");
+  openmesh::TemporaryProperty<OpenMesh::FPropHandleT<Index>> patch(om, "mm:patch");
+  openmesh::TemporaryProperty<OpenMesh::EPropHandleT<Index>> line(om, "mm:line");
   return remeshing::Remesher(operations, positions, below, options, patch.values(), line.values(),
                              std::move(hooks))
       .run();

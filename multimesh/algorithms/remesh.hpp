@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "multimesh/algorithms/remeshing/coordinates.hpp"
+#include "multimesh/algorithms/coordinates.hpp"
 #include "multimesh/algorithms/textured_surface.hpp"
 
 namespace multimesh {

@@ -34,7 +34,7 @@ class Pyramid : public testing::Test, public Coordinates {
 };
 
 TEST_F(Pyramid, TheTipMayNotGoFarFromWhereItWas) {
-  Strata strata(*tree_.tree);
+  TreeStrata strata(*tree_.tree);
   std::vector<Index> patch(root().capacity(2)), line(root().capacity(1));
   const Reference input(*tree_.tree, *this, {}, strata, patch, line);
   DistanceGuard guard(root(), *this, input, 0.2, 0.5);
@@ -54,7 +54,7 @@ TEST_F(Pyramid, TheTipMayNotGoFarFromWhereItWas) {
 }
 
 TEST_F(Pyramid, PlacesAreOnThePatchThatLooksTheSameWay) {
-  Strata strata(*tree_.tree);
+  TreeStrata strata(*tree_.tree);
   std::vector<Index> patch(root().capacity(2)), line(root().capacity(1));
   const Reference input(*tree_.tree, *this, {}, strata, patch, line);
   const auto above = input.on_patch(patch[0], {0, 0, 3}, {0, 0, 1});

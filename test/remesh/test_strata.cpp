@@ -2,14 +2,14 @@
 // Where vertices may go, by the maps of a tree.
 #include <gtest/gtest.h>
 
-#include "multimesh/algorithms/remeshing/strata.hpp"
+#include "multimesh/algorithms/tree_strata.hpp"
 #include "test/support/trees.hpp"
 
 namespace multimesh::test {
 namespace {
 
-using remeshing::Freedom;
-using remeshing::Strata;
+
+
 
 //   A grid of 6 x 6; vertex (i,j) has the index 7 i + j. A curve along j = 3 from i = 1 to 5.
 class OnAGrid : public testing::Test {
@@ -30,7 +30,7 @@ class OnAGrid : public testing::Test {
     });
   }
   Freedom freedom(Index v) {
-    return Strata(*tree_.tree).freedom(tree_.tree->mesh(NodeId::root).dart_of(0, v));
+    return TreeStrata(*tree_.tree).freedom(tree_.tree->mesh(NodeId::root).dart_of(0, v));
   }
 
   Tree tree_;
@@ -40,6 +40,8 @@ TEST_F(OnAGrid, TheBoundaryIsALine) {
   EXPECT_EQ(freedom(at(3, 3)), Freedom::surface);
   EXPECT_EQ(freedom(at(0, 3)), Freedom::line);
   EXPECT_EQ(freedom(at(0, 0)), Freedom::line);
+  EXPECT_EQ(freedom(at(6, 0)), Freedom::line);  // one of the corners at (6,0) and (0,6) has a single triangle
+  EXPECT_EQ(freedom(at(0, 6)), Freedom::line);
 }
 
 TEST_F(OnAGrid, ACurveIsOneUpToItsEnds) {

@@ -66,7 +66,7 @@ TEST_F(RemeshCommand, ReadsOtherFormats) {
 }
 
 TEST_F(RemeshCommand, RefusesWrongUse) {
-  expect(2, "Length", spot(), {});
+  expect(2, "--length", spot(), {});
   expect(2, "--length", spot(), {"--length", "1", "--relative-length", "0.1"});
   expect(2, "above 0", spot(), {"--length", "-1"});
   expect(2, "--iterations", spot(), {"--length", "1", "--iterations", "0"});

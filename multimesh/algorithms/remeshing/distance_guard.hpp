@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "multimesh/algorithms/remeshing/coordinates.hpp"
+#include "multimesh/algorithms/coordinates.hpp"
 #include "multimesh/algorithms/remeshing/reference.hpp"
 
 namespace multimesh::remeshing {

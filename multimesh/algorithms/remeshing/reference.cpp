@@ -18,7 +18,7 @@ spatial::Point point(const Vec3d& p) {
 }  // namespace
 
 Reference::Reference(const MultiMesh& tree, const Coordinates& positions, std::span<Coordinates* const> below,
-                     Strata& strata, std::vector<Index>& patch, std::vector<Index>& line)
+                     TreeStrata& strata, std::vector<Index>& patch, std::vector<Index>& line)
     : tree_(tree), root_(tree.mesh(NodeId::root)), positions_(positions), below_(below), strata_(strata) {
   number_patches(patch);
   number_lines(line);

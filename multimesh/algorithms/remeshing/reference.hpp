@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "adapters/embree/triangle_tree.hpp"
-#include "multimesh/algorithms/remeshing/coordinates.hpp"
-#include "multimesh/algorithms/remeshing/strata.hpp"
+#include "multimesh/algorithms/coordinates.hpp"
+#include "multimesh/algorithms/tree_strata.hpp"
 
 namespace multimesh::remeshing {
 
@@ -31,7 +31,7 @@ class Reference {
   /// hand on: `patch` per face; `line` per edge, one more than the number, 0 for plain edges. Cost: O(n log
   /// n)
   Reference(const MultiMesh& tree, const Coordinates& positions, std::span<Coordinates* const> below,
-            Strata& strata, std::vector<Index>& patch, std::vector<Index>& line);
+            TreeStrata& strata, std::vector<Index>& patch, std::vector<Index>& line);
 
   /// The point of a patch closest to p among those that look the same way as `normal`, within half a space.
   std::optional<Place> on_patch(Index patch, const OpenMesh::Vec3d& p, const OpenMesh::Vec3d& normal) const;
@@ -65,7 +65,7 @@ class Reference {
   const Mesh& root_;
   const Coordinates& positions_;
   std::span<Coordinates* const> below_;
-  Strata& strata_;
+  TreeStrata& strata_;
   Layer patches_, lines_;
   std::optional<spatial::TriangleTree> triangles_, segments_;
 };

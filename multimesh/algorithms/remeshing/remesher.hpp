@@ -9,7 +9,7 @@
 #include "multimesh/algorithms/remeshing/distance_guard.hpp"
 #include "multimesh/algorithms/remeshing/reference.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
-#include "multimesh/algorithms/remeshing/strata.hpp"
+#include "multimesh/algorithms/tree_strata.hpp"
 
 namespace multimesh::remeshing {
 
@@ -70,7 +70,7 @@ class Remesher {
   Hooks hooks_;
   double shortest_, longest_;
 
-  Strata strata_;
+  TreeStrata strata_;
   Reference reference_;
   DistanceGuard guard_;
   StarShape shape_;

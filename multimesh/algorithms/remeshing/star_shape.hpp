@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "multimesh/algorithms/remeshing/coordinates.hpp"
+#include "multimesh/algorithms/coordinates.hpp"
 #include "multimesh/dart.hpp"
 
 namespace multimesh::remeshing {

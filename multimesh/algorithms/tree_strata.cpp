@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "multimesh/algorithms/remeshing/strata.hpp"
+#include "multimesh/algorithms/tree_strata.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace multimesh::remeshing {
+namespace multimesh {
 
-EdgeKind Strata::kind(Dart e) {
+EdgeKind TreeStrata::kind(Dart e) {
   copies_.collect(tree_, e, 1);
   EdgeKind kind;
   for (const NodeId n : tree_.nodes()) {
@@ -20,13 +20,13 @@ EdgeKind Strata::kind(Dart e) {
   return kind;
 }
 
-void Strata::edges_at(Dart vertex, DartBuffer& edges) {
+void TreeStrata::edges_at(Dart vertex, DartBuffer& edges) {
   root_.star(vertex, 0, star_);
   edges.assign(star_.begin(), star_.end());
   if (!root_.is_boundary(vertex, 0)) return;
   for (const Dart t : star_) {  // the last edge of an open fan is the first one of no facet
     const Dart other = root_.reorder(t, edge_ax);
-    if (root_.is_boundary(other, 1) && !root_.is_boundary(t, 1)) edges.push_back(other);
+    if (root_.is_boundary(other, 1)) edges.push_back(other);
   }
   std::vector<Index> seen;
   std::erase_if(edges, [&](Dart d) {
@@ -37,7 +37,7 @@ void Strata::edges_at(Dart vertex, DartBuffer& edges) {
   });
 }
 
-Freedom Strata::freedom(Dart vertex, std::array<Dart, 2>& line) {
+Freedom TreeStrata::freedom(Dart vertex, std::array<Dart, 2>& line) {
   if (root_.is_locked(root_.vertex(vertex))) return Freedom::none;
   edges_at(vertex, edges_);
   EdgeKind first;
@@ -54,7 +54,7 @@ Freedom Strata::freedom(Dart vertex, std::array<Dart, 2>& line) {
 }
 
 // In every mesh the vertex has as many copies as each of its two edges, and no curve ends there.
-bool Strata::runs_through(Dart vertex, const EdgeKind& kind) {
+bool TreeStrata::runs_through(Dart vertex, const EdgeKind& kind) {
   copies_.collect(tree_, vertex, 0);
   for (const NodeId n : tree_.nodes()) {
     const auto of_edge =
@@ -74,4 +74,4 @@ bool Strata::runs_through(Dart vertex, const EdgeKind& kind) {
   return true;
 }
 
-}  // namespace multimesh::remeshing
+}  // namespace multimesh

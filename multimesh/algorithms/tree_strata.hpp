@@ -6,7 +6,7 @@
 
 #include "multimesh/copy.hpp"
 
-namespace multimesh::remeshing {
+namespace multimesh {
 
 /// What an edge of the root is besides being one: the meshes that have it as a curve or in their boundary.
 /// Edges with the same are of one kind.
@@ -16,7 +16,7 @@ class EdgeKind {
   friend bool operator==(const EdgeKind&, const EdgeKind&) = default;
 
  private:
-  friend class Strata;
+  friend class TreeStrata;
   std::vector<std::uint32_t> meshes_;  // by node; once per copy
 };
 
@@ -29,9 +29,9 @@ enum class Freedom : std::uint8_t {
 
 /// The strata of a tree whose root is a surface: what runs along its edges, asked of the maps and not of
 /// tags.
-class Strata {
+class TreeStrata {
  public:
-  explicit Strata(const MultiMesh& tree) : tree_(tree), root_(tree.mesh(NodeId::root)) {}
+  explicit TreeStrata(const MultiMesh& tree) : tree_(tree), root_(tree.mesh(NodeId::root)) {}
 
   /// Of the edge of (a, b, ..). Cost: that of its copies
   EdgeKind kind(Dart e);
@@ -60,4 +60,4 @@ class Strata {
   DartBuffer star_, edges_;
 };
 
-}  // namespace multimesh::remeshing
+}  // namespace multimesh
