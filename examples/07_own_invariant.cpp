@@ -3,11 +3,11 @@
 // before a collapse, by what the collapse will do; then nothing has to be undone. Refusals name it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
 #include "adapters/openmesh/attach.hpp"
-
 using namespace multimesh;
 using OpenMesh::Vec3d;
 using UserMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
@@ -25,9 +25,7 @@ UserMesh ball() {
   return mesh;
 }
 
-double volume(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return a | cross(b, c);
-}
+const auto volume = [](const Vec3d& a, const Vec3d& b, const Vec3d& c) { return a | cross(b, c); };
 
 class KeepsVolume final : public Invariant {
  public:
@@ -42,8 +40,7 @@ class KeepsVolume final : public Invariant {
     return true;
   }
   bool after(const Event& event) override {
-    if (event.operation == Operation::collapse) sum_ += asked_;
-    return true;
+    return sum_ += event.operation == Operation::collapse ? asked_ : 0, true;
   }
   double sum() const { return sum_; }
 
@@ -60,16 +57,13 @@ class KeepsVolume final : public Invariant {
       for (const Dart t : star_) {
         Index v[4];
         mesh.vertices(t, v);
-        const Index other = v[0] == c.a ? c.b : c.a;
-        const bool dies = v[1] == other || v[2] == other;
-        if (dies && end != e) continue;  // was counted
-        change += (dies ? 0 : volume(merged, points_[v[1]], points_[v[2]])) -
-                  volume(points_[v[0]], points_[v[1]], points_[v[2]]);
+        const bool dies = std::count(v, v + 3, c.a) + std::count(v, v + 3, c.b) == 2;
+        if (!dies) change += volume(merged, points_[v[1]], points_[v[2]]);
+        if (!dies || end == e) change -= volume(points_[v[0]], points_[v[1]], points_[v[2]]);
       }
     }
     return change;
   }
-
   const VertexAttribute<Vec3d>& points_;
   double most_, sum_ = 0, asked_ = 0;
   DartBuffer star_;
@@ -78,12 +72,10 @@ class KeepsVolume final : public Invariant {
 int main() {
   UserMesh mesh = ball();
   const auto total = [&] {
-    double sum = 0;
-    for (const auto f : mesh.faces()) {
+    return mesh.faces().sum([&](const OpenMesh::SmartFaceHandle& f) {
       const auto v = f.vertices().to_array<3>();
-      sum += volume(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
-    }
-    return sum;
+      return volume(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
+    });
   };
   const double before = total();
   openmesh::Attached attached(mesh);

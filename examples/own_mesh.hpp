@@ -30,10 +30,8 @@ class OwnMesh final : public OwnMeshStorage {
   Dart switch_dart(Dart d, int k) const override {
     return k == 0 ? Dart{code(d) ^ 1U} : other_at(end(d, 0), code(d) / 2);
   }
-  Dart reorder(Dart d, multimesh::Permutation p) const override { return Dart{code(d) ^ p.code}; }
-  multimesh::Permutation order(Dart x, Dart y) const override {
-    return {std::uint8_t((code(x) ^ code(y)) & 1U)};
-  }
+  Dart reorder(Dart d, Permutation p) const override { return Dart{code(d) ^ p.code}; }
+  Permutation order(Dart x, Dart y) const override { return {std::uint8_t((code(x) ^ code(y)) & 1U)}; }
   void vertices(Dart d, Index* out) const override { out[0] = end(d, 0), out[1] = end(d, 1); }
   void star(Dart d, int k, multimesh::DartBuffer& out) const override {
     out.assign(1, d);
@@ -47,7 +45,6 @@ class OwnMesh final : public OwnMeshStorage {
     if (at_a == multimesh::no_dart || at_b == multimesh::no_dart) return at_a != at_b;
     return end(at_a, 1) != end(at_b, 1);
   }
-  // (a, c) is new.
   void split_edge(Dart e, multimesh::SplitRecord& r) override {
     const Index old = code(e) / 2, fresh = capacity(1);
     r.a = end(e, 0), r.b = end(e, 1), r.vertex = capacity(0);

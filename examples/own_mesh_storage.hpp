@@ -12,6 +12,7 @@ class OwnMeshStorage : public multimesh::Mesh {
  public:
   using Index = multimesh::Index;
   using Dart = multimesh::Dart;
+  using Permutation = multimesh::Permutation;
 
   Mark mark() const override { return saved_.push_back(state_), saved_.size() - 1; }
   void rollback(Mark m) override { state_ = saved_[m], saved_.resize(m + 1); }
