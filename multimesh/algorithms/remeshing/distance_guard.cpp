@@ -15,7 +15,7 @@ namespace {
 /// input.
 constexpr double bent_cosine = 0.9;
 /// Of the bound: a triangle is compared at four points, and may be farther in between.
-constexpr double few_points = 0.75;
+constexpr double few_points = 0.6;
 
 spatial::Point point(const Vec3d& p) {
   return {p[0], p[1], p[2]};
