@@ -256,6 +256,7 @@ TEST(AttachedColors, AreRoundedAndNormalsAreUnitVectors) {
   mesh.set_color(v[1], {255, 1, 100});
   mesh.set_normal(v[0], {1, 0, 0});
   mesh.set_normal(v[1], {0, 0, 1});
+  mesh.set_texcoord2D(v[0], {0, 0});
   mesh.set_texcoord2D(v[1], {4, 2});
   openmesh::Attached attached(mesh);
   ASSERT_TRUE(attached.split(mesh.edge_handle(mesh.find_halfedge(v[0], v[1])), 0.5));
