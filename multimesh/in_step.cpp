@@ -52,22 +52,17 @@ void MultiMesh::require_in_step() const {
     if (const auto v = mesh(n).first_out_of_step()) out_of_step(n, around(*v));
 }
 
-// Only renumbered: the maps are what they were. Otherwise they decide by themselves whether they still are
-// maps.
+// Elements are followed by their names. Whether the maps still are maps, only they can tell: what has gone,
+// or has come beside, is not seen from what is left.
 std::vector<Compaction> MultiMesh::resync() {
   if (open_transactions_ > 0) throw UsageError("resync inside a transaction");
   std::vector<Compaction> moved(nodes_.size());
-  bool changed = !lost_.empty();
-  for (const NodeId n : top_down_) {
-    Mesh::Renumbering r = mesh(n).renumbering();
-    changed |= r.changed_vertex.has_value();
-    if (r.moved) moved[index(n)] = std::move(*r.moved);
-  }
+  for (const NodeId n : top_down_)
+    if (auto of_mesh = mesh(n).renumbering()) moved[index(n)] = std::move(*of_mesh);
   follow(moved);
   for (const NodeId n : top_down_) mesh(n).accept_edits();
-  lost_.clear();
-  if (!changed) return moved;
-  if (const auto problems = validate(*this); !problems.empty()) lost_ = problems.front();
+  const auto problems = validate(*this);
+  lost_ = problems.empty() ? std::string() : problems.front();
   require_same_counts();
   return moved;
 }

@@ -172,13 +172,9 @@ class Mesh {
   virtual bool star_in_step(Index) const { return true; }
   /// The first vertex whose star is not; nothing if the whole mesh is in step. Cost: linear
   virtual std::optional<Index> first_out_of_step() const { return std::nullopt; }
-  /// What others have done. `moved`: where the elements have gone, as from compact(); none if the mesh is not
-  /// watched. `changed_vertex`: a vertex, by its new index, at which more than the indices is different.
-  struct Renumbering {
-    std::optional<Compaction> moved;
-    std::optional<Index> changed_vertex;
-  };
-  virtual Renumbering renumbering() const { return {}; }
+  /// Where the elements have gone that others have given new indices, as from compact(); nothing if the mesh is not
+  /// watched.
+  virtual std::optional<Compaction> renumbering() const { return std::nullopt; }
   /// From now on the connectivity as it is counts as ours. \pre the journal is empty
   virtual void accept_edits() {}
 

@@ -107,8 +107,8 @@ class MultiMesh {
   /// \return what moved where, by node index, as from compact(); empty for meshes with nothing to follow
   /// \throw OutOfStepError if a map is lost, saying where; then only detach() helps, and making the children
   /// anew.
-  ///        UsageError inside a transaction. Cost: linear. Invalidates all darts and indices that the caller
-  ///        holds.
+  ///        UsageError inside a transaction. Cost: that of validate(). Invalidates all darts and indices that
+  ///        the caller holds.
   std::vector<Compaction> resync();
 
  private:

@@ -435,13 +435,11 @@ std::optional<Index> Connectivity::first_out_of_step() const {
   return v ? std::optional(static_cast<Index>(*v)) : std::nullopt;
 }
 
-Mesh::Renumbering Connectivity::renumbering() const {
-  if (!watch_) return {};
-  Renumbering r;
-  r.moved = watch_->moved();
-  set_dart_blocks(*r.moved);
-  if (const auto v = watch_->first_changed(*r.moved)) r.changed_vertex = static_cast<Index>(*v);
-  return r;
+std::optional<Compaction> Connectivity::renumbering() const {
+  if (!watch_) return std::nullopt;
+  Compaction moved = watch_->moved();
+  set_dart_blocks(moved);
+  return moved;
 }
 
 void Connectivity::accept_edits() {

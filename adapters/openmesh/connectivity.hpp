@@ -49,7 +49,7 @@ class Connectivity : public Mesh {
   bool same_counts() const override { return !watch_ || watch_->same_counts(); }
   bool star_in_step(Index v) const override { return !watch_ || watch_->in_step(static_cast<int>(v)); }
   std::optional<Index> first_out_of_step() const override;
-  Renumbering renumbering() const override;
+  std::optional<Compaction> renumbering() const override;
   void accept_edits() override;
 
  protected:

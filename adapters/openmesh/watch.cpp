@@ -65,20 +65,17 @@ bool Watch::same_counts() const noexcept {
   return counts_ == counts_now();
 }
 
-// `name` tells what a halfedge, a vertex and a face were called. A walk that does not come back to where it
-// began gives a sum all the same, of as many halfedges as there are: a wrong one.
-template <class Name>
-std::uint64_t Watch::sum_around(int v, const Name& name) const {
+// A walk that does not come back to where it began gives a sum all the same, of as many halfedges as there
+// are: a wrong one.
+std::uint64_t Watch::sum_around(int v) const {
   const int first = om_.halfedge_handle(OpenMesh::VertexHandle(v)).idx();
   std::uint64_t sum = 0;
   if (first < 0) return sum;
   const int n = static_cast<int>(om_.n_halfedges());
   int h = first;
   for (int steps = 0; steps < n; ++steps) {
-    const OpenMesh::HalfedgeHandle handle(h);
-    const int to = om_.to_vertex_handle(handle).idx(), face = om_.face_handle(handle).idx();
-    sum += hash(name(1, h), name(0, to), name(2, face));
-    const int before = om_.prev_halfedge_handle(handle).idx();
+    sum += hash_of(h);
+    const int before = om_.prev_halfedge_handle(OpenMesh::HalfedgeHandle(h)).idx();
     if (before < 0 || before >= n) return ~sum;
     h = before ^ 1;
     if (h == first) return sum;
@@ -90,7 +87,7 @@ bool Watch::in_step(int v) const {
   if (v < 0 || at(v) >= sums_->size()) return false;
   // Of a dead vertex OpenMesh keeps the halfedge, but no live edge has the vertex.
   if (is_dead(0, v)) return (*sums_)[at(v)] == 0;
-  return (*sums_)[at(v)] == sum_around(v, [](int, int i) { return i; });
+  return (*sums_)[at(v)] == sum_around(v);
 }
 
 std::optional<int> Watch::first_out_of_step() const {
@@ -113,19 +110,6 @@ Compaction Watch::moved() const {
     }
   }
   return moved;
-}
-
-std::optional<int> Watch::first_changed(const Compaction& moved) const {
-  // Elements without a name are not ours; no sum of ours has them.
-  const auto name = [&](int k, int i) {
-    if (i < 0) return i;
-    const Index known = (*names_[at(k)])[at(k == 1 ? i >> 1 : i)];
-    if (known == 0) return -2;
-    return k == 1 ? 2 * static_cast<int>(known - 1) + (i & 1) : static_cast<int>(known - 1);
-  };
-  for (const Index v : moved.simplices[0])
-    if (v != no_index && sum_around(static_cast<int>(v), name) != (*sums_)[v]) return static_cast<int>(v);
-  return std::nullopt;
 }
 
 void Watch::accept() {

@@ -21,7 +21,7 @@ enum class Watching : bool { off, on };
 /// its outgoing halfedges, of a hash of (halfedge, its end, its face). Each write of ours moves the sums
 /// along, and undoing it moves them back; a sum that a walk around the vertex does not give again was changed
 /// by somebody else. Elements have names of their own, too, so that a renumbering (garbage collection) can be
-/// told from other changes and followed. Properties "mm:watch*": 8 bytes per vertex and 4 per element.
+/// followed. Properties "mm:watch*": 8 bytes per vertex and 4 per element.
 class Watch {
  public:
   /// Takes the connectivity as it is. Cost: linear
@@ -60,9 +60,6 @@ class Watch {
   /// Where the elements that had names have gone, by their old indices. \throw OutOfStepError if names are
   /// missing or found twice: the mesh was cleared or assigned
   Compaction moved() const;
-  /// Whether the mesh is what it was but for the new indices: every vertex that is left has the halfedges
-  /// that it had, by their old names. Else the first vertex that has not.
-  std::optional<int> first_changed(const Compaction& moved) const;
   /// Takes the connectivity as it is now.
   void accept();
 
@@ -92,8 +89,7 @@ class Watch {
     return x ^ (x >> 32);
   }
   std::uint64_t hash_of(int h) const { return hash(h, to(h), face_of(h)); }
-  template <class Name>
-  std::uint64_t sum_around(int vertex, const Name& name) const;
+  std::uint64_t sum_around(int vertex) const;
 
   OpenMesh::PolyConnectivity& om_;
   Counts counts_{};

@@ -197,6 +197,33 @@ TEST_F(EditsOutside, AreRefusedForGoodWhereAMapIsLost) {
   EXPECT_EQ(validate(attached_->tree()), std::vector<std::string>{});
 }
 
+// No vertex that is left shows what has gone: only the maps do.
+TEST_F(EditsOutside, AreRefusedWhereAWholeComponentHasGone) {
+  for (const bool collected : {false, true}) {
+    UserMesh mesh = make();
+    const auto a = mesh.add_vertex({20, 0, 0}), b = mesh.add_vertex({21, 0, 0}),
+               c = mesh.add_vertex({20, 1, 0});
+    const auto f = mesh.add_face(a, b, c);
+    openmesh::Attached attached(mesh);
+    const NodeId part = attached.add_faces([&](OpenMesh::FaceHandle x) { return x == f; });
+    mesh.delete_face(f, true);
+    if (collected) mesh.garbage_collection();
+    EXPECT_THROW(attached.tree().require_in_step(), OutOfStepError);
+    EXPECT_THROW(attached.resync(), OutOfStepError) << collected;
+    (void)attached.tree().detach(part);
+    attached.resync();
+    EXPECT_EQ(validate(attached.tree()), std::vector<std::string>{});
+  }
+}
+
+TEST_F(EditsOutside, AreRefusedIfTheyAddWhatIsNoTriangle) {
+  std::vector<VertexHandle> v;
+  for (const auto& [x, y] : {std::pair{20, 0}, {21, 0}, {21, 1}, {20, 1}})
+    v.push_back(mesh_.add_vertex({double(x), double(y), 0}));
+  static_cast<OpenMesh::PolyConnectivity&>(mesh_).add_face(v);
+  EXPECT_THROW(attached_->resync(), OutOfStepError);
+}
+
 TEST_F(EditsOutside, OurOwnOperationsAndTheirUndoingAreNone) {
   std::mt19937 random(5);
   for (int round = 0; round < 40; ++round) {
