@@ -62,9 +62,9 @@ class Attached : public AttachedTree {
   VertexAttribute<Point>& points() noexcept { return points_; }
 
   /// The texture: a mesh over the triangles, with a vertex per place in the texture, from the texture
-  /// coordinates of the mesh's halfedges. `textured`: which faces have some; all, if it is not given. \throw
-  /// UsageError if the mesh has no such coordinates or has a texture already, InputError naming a face
-  ///        whose coordinates are not finite. Cost: O(n log n)
+  /// coordinates of the mesh's halfedges. `textured`: which faces have some; all, if it is not given.
+  /// \throw UsageError if the mesh has no such coordinates, or has a texture that was not detached;
+  /// InputError naming a face whose coordinates are not finite. Cost: O(n log n)
   NodeId add_texture(const std::function<bool(OpenMesh::FaceHandle)>& textured = {},
                      WriteBack when = WriteBack::each_operation) {
     require_no_texture(mesh_.has_halfedge_texcoords2D());
@@ -76,20 +76,20 @@ class Attached : public AttachedTree {
         add_values(child_connectivity(child.node), OpenMesh::VPropHandleT<TexCoord>(), "texcoord");
     for (std::size_t v = 0; v < at_vertices.size(); ++v) at_vertices[v] = at_halfedges[child.texcoord[v]];
     texcoords_ = &follow_values(child.node, at_vertices);
-    corners_ = std::make_unique<CornerValues<TexCoord>>(tree(), child.node, at_vertices, at_halfedges);
-    if (when == WriteBack::each_operation) operations().add(*corners_);
+    corners_ = &keep(std::make_unique<CornerValues<TexCoord>>(tree(), child.node, at_vertices, at_halfedges),
+                     when == WriteBack::each_operation);
     return child.node;
   }
   /// Texture coordinates per vertex of the texture. \pre add_texture() was called
   VertexAttribute<TexCoord>& texcoords() { return *texcoords_; }
   /// From now on no triangle of the texture may flip or lose its area. \pre add_texture() was called
   void forbid_flips() {
-    no_flips_ = std::make_unique<NoFlips<TexCoord>>(*texcoords_);
-    operations().add(*no_flips_);
+    if (std::exchange(without_flips_, texcoords_) == texcoords_) return;
+    keep(std::make_unique<NoFlips<TexCoord>>(*texcoords_));
   }
   /// Sets the texture coordinates of the mesh's halfedges. Cost: linear
   void write_back() {
-    if (corners_) corners_->write_all();
+    if (corners_ && tree().contains(corners_->node())) corners_->write_all();
   }
 
   /// Borders between faces with different tags, as curves: a property of the faces, or FProp.
@@ -131,18 +131,15 @@ class Attached : public AttachedTree {
                                     typename VertexAttribute<T>::Rule rule = {}) {
     if constexpr (IntegerVector<T>)
       if (!rule) rule = rounded_mean(values);
-    auto attribute = rule ? std::make_unique<VertexAttribute<T>>(n, values, std::move(rule))
-                          : std::make_unique<VertexAttribute<T>>(n, values);
-    VertexAttribute<T>& result = *attribute;
-    keep(std::move(attribute));
-    return result;
+    return keep(rule ? std::make_unique<VertexAttribute<T>>(n, values, std::move(rule))
+                     : std::make_unique<VertexAttribute<T>>(n, values));
   }
 
   UserMesh& mesh_;
   VertexAttribute<Point>& points_;
   VertexAttribute<TexCoord>* texcoords_ = nullptr;
-  std::unique_ptr<CornerValues<TexCoord>> corners_;
-  std::unique_ptr<NoFlips<TexCoord>> no_flips_;
+  VertexAttribute<TexCoord>* without_flips_ = nullptr;
+  CornerValues<TexCoord>* corners_ = nullptr;
 };
 
 }  // namespace multimesh::openmesh

@@ -84,15 +84,11 @@ NodeId AttachedTree::add_faces(const std::function<bool(OpenMesh::FaceHandle)>& 
       make_mesh);
 }
 
-void AttachedTree::keep(std::unique_ptr<Attribute> attribute) {
-  operations_.add(*attribute);
-  attributes_.push_back(std::move(attribute));
-}
-
 void AttachedTree::require_no_texture(bool has_texcoords) const {
   if (!has_texcoords)
     throw UsageError("the mesh has no texture coordinates on halfedges; request_halfedge_texcoords2D()");
-  if (has_texture_) throw UsageError("the mesh has a texture already; detach it first");
+  if (texture_ && tree_.contains(*texture_))
+    throw UsageError("the mesh has a texture already; detach it first");
 }
 
 TextureChild AttachedTree::add_texture_node(const std::function<bool(OpenMesh::FaceHandle)>& textured,
@@ -112,7 +108,7 @@ TextureChild AttachedTree::add_texture_node(const std::function<bool(OpenMesh::F
     }
   }
   TextureChild child = add_texture_child(tree_, NodeId::root, std::move(corners), places);
-  has_texture_ = true;
+  texture_ = child.node;
   return child;
 }
 

@@ -4,6 +4,9 @@
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "adapters/openmesh/texture_child.hpp"
@@ -70,7 +73,19 @@ class AttachedTree {
   AttachedTree(OpenMesh::PolyConnectivity& root, Watching edits);
   ~AttachedTree() = default;
 
-  void keep(std::unique_ptr<Attribute> attribute);
+  /// Operations know them by address: they are kept as long as those. \return it; `follows`: it is told of
+  /// each operation
+  template <class A>
+  A& keep(std::unique_ptr<A> attribute, bool follows = true) {
+    A& kept = *attribute;
+    if (follows) operations_.add(kept);
+    if constexpr (std::is_base_of_v<Attribute, A>) {
+      attributes_.push_back(std::move(attribute));
+    } else {
+      invariants_.push_back(std::move(attribute));
+    }
+    return kept;
+  }
   void require_no_texture(bool has_texcoords) const;
   /// `places`: per halfedge. The result names a halfedge per vertex of the texture.
   TextureChild add_texture_node(const std::function<bool(OpenMesh::FaceHandle)>& textured,
@@ -82,7 +97,8 @@ class AttachedTree {
   MultiMesh tree_;
   Propagation operations_;
   std::vector<std::unique_ptr<Attribute>> attributes_;
-  bool has_texture_ = false;
+  std::vector<std::unique_ptr<Invariant>> invariants_;
+  std::optional<NodeId> texture_;
 };
 
 }  // namespace multimesh::openmesh

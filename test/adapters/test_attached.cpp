@@ -175,6 +175,22 @@ TYPED_TEST(AttachedMesh, WritesBackOnDemandOnly) {
   EXPECT_EQ(at_new_vertex(), 4U);
 }
 
+TYPED_TEST(AttachedMesh, CanHaveATextureAgain) {
+  openmesh::Attached attached(this->mesh_);
+  const NodeId first = attached.add_texture();
+  attached.forbid_flips();
+  attached.forbid_flips();
+  (void)attached.tree().detach(first);
+  attached.write_back();  // there is nothing to write
+  ASSERT_TRUE(attached.split(this->mesh_.edge_handle(this->halfedge(2, 2, 3, 2))));
+  const NodeId second = attached.add_texture();
+  attached.forbid_flips();
+  ASSERT_TRUE(attached.collapse(this->halfedge(4, 4, 4, 5)));
+  ASSERT_TRUE(attached.split(this->mesh_.edge_handle(this->halfedge(1, 3, 1, 4))));
+  EXPECT_EQ(this->check_corners(attached, second), 3 * this->live_faces());
+  EXPECT_EQ(validate(attached.tree()), Problems{});
+}
+
 TYPED_TEST(AttachedMesh, LeavesAnOrdinaryMesh) {
   auto& mesh = this->mesh_;
   const auto before = mesh;
