@@ -36,6 +36,18 @@ void check_simplices_differ(const Mesh& mesh, int k, std::vector<std::string>& p
                          " have the same vertices");
 }
 
+// Each edge is the first one of some triangle, but for the last one of an open fan.
+void edges_around(const Mesh& mesh, Dart vertex, DartBuffer& edges) {
+  mesh.star(vertex, 0, edges);
+  if (!mesh.is_boundary(vertex, 0)) return;
+  for (std::size_t i = 0, triangles = edges.size(); i < triangles; ++i) {
+    const Dart other = mesh.reorder(edges[i], edge_ax);
+    const auto is_other = [&](Dart e) { return mesh.same_simplex(e, other, 1); };
+    if (mesh.is_boundary(other, 1) && std::none_of(edges.begin(), edges.end(), is_other))
+      edges.push_back(other);
+  }
+}
+
 Permutation matching(const Index* from, const Index* to, int k) {
   int p[4] = {0, 1, 2, 3};
   for (int i = 0; i <= k; ++i) {

@@ -172,8 +172,8 @@ class Mesh {
   virtual bool star_in_step(Index) const { return true; }
   /// The first vertex whose star is not; nothing if the whole mesh is in step. Cost: linear
   virtual std::optional<Index> first_out_of_step() const { return std::nullopt; }
-  /// Where the elements have gone that others have given new indices, as from compact(); nothing if the mesh is not
-  /// watched.
+  /// Where the elements have gone that others have given new indices, as from compact(); nothing if the mesh
+  /// is not watched.
   virtual std::optional<Compaction> renumbering() const { return std::nullopt; }
   /// From now on the connectivity as it is counts as ours. \pre the journal is empty
   virtual void accept_edits() {}
@@ -191,6 +191,10 @@ class Mesh {
 /// Appends a sentence for every two k-simplices with the same vertices: in a proper simplicial complex there
 /// are none. Cost: sorting.
 void check_simplices_differ(const Mesh& mesh, int k, std::vector<std::string>& problems);
+
+/// One dart (v, x, ..) per edge at the vertex of a surface's dart. `edges` is overwritten. Cost: that of the
+/// star
+void edges_around(const Mesh& mesh, Dart vertex, DartBuffer& edges);
 
 /// The permutation p of the first k+1 positions with from[p[i]] == to[i]; k <= 3.
 /// \pre both orderings have the same first k+1 vertices, in some order

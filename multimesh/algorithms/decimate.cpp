@@ -13,8 +13,8 @@
 #include "multimesh/algorithms/decimation/surface_distance.hpp"
 #include "multimesh/algorithms/decimation/texture_distance.hpp"
 #include "multimesh/algorithms/decimation/texture_orientation.hpp"
-#include "multimesh/algorithms/decimation/vertex_locks.hpp"
 #include "multimesh/algorithms/surface_invariants.hpp"
+#include "multimesh/algorithms/vertex_locks.hpp"
 #include "multimesh/scheduler.hpp"
 
 namespace multimesh {
@@ -99,7 +99,7 @@ Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
       root_(surface.tree().mesh(NodeId::root)),
       diagonal_(bounding_box_diagonal(surface.positions())),
       faces_(surface.live_triangles()),
-      locks_(surface, options),
+      locks_(surface, options.lock_boundary, options.lock_seams ? seam_kinds(surface) : CurveKinds{no_curve}),
       strata_(surface, options),
       reader_(surface, strata_),
       cost_(surface, options, strata_, reader_),
@@ -154,8 +154,8 @@ void Decimator::add_invariants() {
   if (surface_.cut_report().copied_vertices > 0)
     invariants_.push_back(std::make_unique<CopiesStayApart>(surface_.source_positions()));
   for (const auto& texcoords : texcoords_) invariants_.push_back(std::make_unique<SeamsStayOpen>(*texcoords));
-  invariants_.push_back(std::make_unique<FunctionInvariant>(
-      "place of a held end", [this](const Event&) { return place_is_held_; }));
+  invariants_.push_back(std::make_unique<FunctionInvariant>("place of a held end",
+                                                            [this](const Event&) { return place_is_held_; }));
   for (const auto& i : invariants_) operations_.add(*i);
 }
 
@@ -172,7 +172,8 @@ const PlacementTest* Decimator::choose_place(Dart e) {
   const PlacementTest* failed = failed_test(plan_);
   if (!failed || strata_.rank(plan_.a) != strata_.rank(plan_.b)) return failed;
   std::array<CollapsePlan, 3> others{cost_.plan_at(e, 0.5), cost_.plan_at(e, 0), cost_.plan_at(e, 1)};
-  std::stable_sort(others.begin(), others.end(), [](const auto& x, const auto& y) { return x.cost < y.cost; });
+  std::stable_sort(others.begin(), others.end(),
+                   [](const auto& x, const auto& y) { return x.cost < y.cost; });
   for (const CollapsePlan& other : others)
     if (!failed_test(other)) {
       plan_ = other;
@@ -276,14 +277,16 @@ DecimateResult Decimator::run() {
 
 void check_options(const DecimateOptions& o) {
   if (o.faces == 0 && !std::isfinite(o.max_error) && !std::isfinite(o.max_texture_error))
-    throw InputError("decimate: no target; give a number of faces, a maximal error or a maximal texture error");
+    throw InputError(
+        "decimate: no target; give a number of faces, a maximal error or a maximal texture error");
   const auto require = [](bool good, const char* what) {
     if (!good) throw InputError(std::string("decimate: ") + what);
   };
   require(o.max_error >= 0, "max_error must not be negative");
   require(o.max_texture_error >= 0, "max_texture_error must not be negative");
   require(o.max_normal_deviation >= 0, "max_normal_deviation must not be negative");
-  require(o.max_normal_turn >= 0 && o.max_normal_turn < std::numbers::pi, "max_normal_turn must be in [0, pi)");
+  require(o.max_normal_turn >= 0 && o.max_normal_turn < std::numbers::pi,
+          "max_normal_turn must be in [0, pi)");
   require(o.max_aspect_ratio >= 2 / std::sqrt(3.0), "max_aspect_ratio must be at least 1.155");
   for (const double w : {o.uv_weight, o.curve_weight, o.seam_weight, o.uv_curve_weight, o.memory_weight})
     require(w >= 0 && std::isfinite(w), "weights must be finite and not negative");

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <memory>
 
-#include "adapters/openmesh/connectivity.hpp"
+#include "adapters/openmesh/root_surface.hpp"
 #include "adapters/openmesh/temporary_property.hpp"
 #include "multimesh/algorithms/remeshing/remesher.hpp"
 #include "multimesh/algorithms/surface_invariants.hpp"
+#include "multimesh/algorithms/vertex_locks.hpp"
 
 namespace multimesh {
 
@@ -25,11 +26,7 @@ void check(const RemeshOptions& o) {
 RemeshResult run(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
                  const RemeshOptions& options, remeshing::Hooks hooks) {
   check(options);
-  auto& root = const_cast<Mesh&>(operations.tree().mesh(NodeId::root));
-  auto* connectivity = dynamic_cast<openmesh::Connectivity*>(&root);
-  if (connectivity == nullptr || root.dimension() != 2)
-    throw UsageError("remesh: the root must be a surface over OpenMesh");
-  OpenMesh::PolyConnectivity& om = connectivity->openmesh();
+  OpenMesh::PolyConnectivity& om = openmesh::root_surface(operations, "remesh");
   openmesh::TemporaryProperty<OpenMesh::FPropHandleT<Index>> patch(om, "mm:patch");
   openmesh::TemporaryProperty<OpenMesh::EPropHandleT<Index>> line(om, "mm:line");
   return remeshing::Remesher(operations, positions, below, options, patch.values(), line.values(),
@@ -74,33 +71,12 @@ class SurfaceFields {
   std::vector<Coordinates*> below;
 };
 
-/// Locks vertices as long as it lives.
-class Locks {
- public:
-  Locks(TexturedSurface& s, const SurfaceRemeshOptions& o) : surface_(s) {
-    const Mesh& root = s.tree().mesh(NodeId::root);
-    for (Index e = 0; e < root.capacity(1); ++e) {
-      if (!root.is_live(1, e)) continue;
-      const Dart d = root.dart_of(1, e);
-      CurveKinds seams = 0;
-      for (std::size_t k = 0; k < s.textures().size(); ++k) seams |= seam_of(k) | texture_border_of(k);
-      const bool lock =
-          (o.lock_boundary && root.is_boundary(d, 1)) || (o.lock_seams && (s.curve_kinds(d) & seams) != 0);
-      if (!lock) continue;
-      for (const Dart end : {d, root.reorder(d, exchange_ends)})
-        if (const Index v = root.vertex(end); !root.is_locked(v)) s.set_locked(v, true), locked_.push_back(v);
-    }
-  }
-  ~Locks() {
-    for (const Index v : locked_) surface_.set_locked(v, false);
-  }
-  Locks(const Locks&) = delete;
-  Locks& operator=(const Locks&) = delete;
-
- private:
-  TexturedSurface& surface_;
-  std::vector<Index> locked_;
-};
+/// Where the texture of any set is cut open or ends.
+CurveKinds texture_edges(const TexturedSurface& s) {
+  CurveKinds kinds = no_curve;
+  for (std::size_t k = 0; k < s.textures().size(); ++k) kinds |= seam_of(k) | texture_border_of(k);
+  return kinds;
+}
 
 }  // namespace
 
@@ -111,7 +87,8 @@ RemeshResult remesh(Propagation& operations, Coordinates& positions, std::span<C
 
 RemeshResult remesh(TexturedSurface& surface, const SurfaceRemeshOptions& options) {
   check(options);
-  const Locks locks(surface, options);
+  const VertexLocks locks(surface, options.lock_boundary,
+                          options.lock_seams ? texture_edges(surface) : CurveKinds{no_curve});
   SurfaceFields fields(surface);
   remeshing::Hooks hooks;
   if (surface.has_normals()) {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "adapters/openmesh/connectivity.hpp"
+#include "adapters/openmesh/root_surface.hpp"
 #include "adapters/openmesh/temporary_property.hpp"
 #include "multimesh/algorithms/tree_strata.hpp"
 
@@ -34,14 +34,13 @@ class Rules {
   Vec3d at(Dart d) const { return at_.at(mesh_.vertex(d)); }
   Vec3d other_end(Dart d) const { return at(mesh_.reorder(d, exchange_ends)); }
   bool is_line(Dart e) { return !strata_.is_plain(tree_.to_root(node(), e)); }
-  void edges_at(Dart v, DartBuffer& edges);
 
   const MultiMesh& tree_;
   const Mesh& mesh_;
   Coordinates& at_;
   TreeStrata& strata_;
   Subdivision scheme_;
-  DartBuffer star_, edges_;
+  DartBuffer edges_;
 };
 
 Vec3d Rules::edge_point(Dart e) {
@@ -53,24 +52,12 @@ Vec3d Rules::edge_point(Dart e) {
   return middle * 0.75 + (left + right) / 8;
 }
 
-// One dart (v, x, ..) per edge.
-void Rules::edges_at(Dart v, DartBuffer& edges) {
-  mesh_.star(v, 0, star_);
-  edges.clear();
-  const auto add = [&](Dart d) {
-    const bool known =
-        std::any_of(edges.begin(), edges.end(), [&](Dart e) { return mesh_.same_simplex(d, e, 1); });
-    if (!known) edges.push_back(d);
-  };
-  for (const Dart t : star_) add(t), add(mesh_.reorder(t, edge_ax));
-}
-
 Vec3d Rules::vertex_point(Dart v) {
   const Vec3d here = at(v);
   if (scheme_ == Subdivision::midpoint) return here;
   const Freedom freedom = strata_.freedom(tree_.to_root(node(), v));
   if (freedom == Freedom::none) return here;
-  edges_at(v, edges_);
+  edges_around(mesh_, v, edges_);
   Vec3d sum(0, 0, 0);
   std::size_t n = 0;
   for (const Dart e : edges_) {
@@ -204,11 +191,8 @@ void Subdivider::run(std::vector<Index>& source) {
 
 void subdivide(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
                Subdivision scheme) {
-  auto& root = const_cast<Mesh&>(operations.tree().mesh(NodeId::root));
-  auto* connectivity = dynamic_cast<openmesh::Connectivity*>(&root);
-  if (connectivity == nullptr || root.dimension() != 2)
-    throw UsageError("subdivide: the root must be a surface over OpenMesh");
-  openmesh::TemporaryProperty<OpenMesh::FPropHandleT<Index>> source(connectivity->openmesh(), "mm:source");
+  openmesh::TemporaryProperty<OpenMesh::FPropHandleT<Index>> source(
+      openmesh::root_surface(operations, "subdivide"), "mm:source");
   Subdivider(operations, positions, below, scheme).run(source.values());
 }
 

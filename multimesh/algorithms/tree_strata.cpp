@@ -20,26 +20,9 @@ EdgeKind TreeStrata::kind(Dart e) {
   return kind;
 }
 
-void TreeStrata::edges_at(Dart vertex, DartBuffer& edges) {
-  root_.star(vertex, 0, star_);
-  edges.assign(star_.begin(), star_.end());
-  if (!root_.is_boundary(vertex, 0)) return;
-  for (const Dart t : star_) {  // the last edge of an open fan is the first one of no facet
-    const Dart other = root_.reorder(t, edge_ax);
-    if (root_.is_boundary(other, 1)) edges.push_back(other);
-  }
-  std::vector<Index> seen;
-  std::erase_if(edges, [&](Dart d) {
-    const Index e = root_.simplex(d, 1);
-    if (std::find(seen.begin(), seen.end(), e) != seen.end()) return true;
-    seen.push_back(e);
-    return false;
-  });
-}
-
 Freedom TreeStrata::freedom(Dart vertex, std::array<Dart, 2>& line) {
   if (root_.is_locked(root_.vertex(vertex))) return Freedom::none;
-  edges_at(vertex, edges_);
+  edges_around(root_, vertex, edges_);
   EdgeKind first;
   int n = 0;
   for (const Dart e : edges_) {

@@ -48,16 +48,13 @@ class TreeStrata {
     return freedom(vertex, line);
   }
 
-  /// One dart (v, x, ..) per edge at the vertex. Cost: that of its star
-  void edges_at(Dart vertex, DartBuffer& edges);
-
  private:
   bool runs_through(Dart vertex, const EdgeKind& kind);
 
   const MultiMesh& tree_;
   const Mesh& root_;
   Copies copies_;
-  DartBuffer star_, edges_;
+  DartBuffer edges_;
 };
 
 }  // namespace multimesh

@@ -47,7 +47,6 @@ class Script {
   void step();
   void operate(std::size_t choice);
   Outcome operation(std::size_t choice, NodeId n, Dart d);
-  Outcome move(NodeId n, Dart d);
   void close(bool keep);
   std::optional<Dart> some_dart(NodeId n);
   void check();
@@ -173,17 +172,7 @@ Outcome Script::operation(std::size_t choice, NodeId n, Dart d) {
   }
   if (choice == 8) return ops.swap(n, d);
   if (choice == 9) return bytes_.below(2) ? ops.swap_face(n, d) : ops.swap_by_split_and_collapse(n, d);
-  return move(n, d);
-}
-
-Outcome Script::move(NodeId n, Dart d) {
-  const Point3 shift(0.125 * static_cast<double>(bytes_.below(9)), 0.0, 0.0);
-  return tree_->operations->relocate(n, d, [&](const Event& e) {
-    for (const Copy& c : e.copies.all()) {
-      const Index v = e.tree.mesh(c.node).vertex(c.dart);
-      tree_->attribute(c.node).set(v, tree_->points(c.node)[v] + shift);
-    }
-  });
+  return tree_->move(n, d, Point3(0.125 * static_cast<double>(bytes_.below(9)), 0.0, 0.0));
 }
 
 }  // namespace

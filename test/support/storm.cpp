@@ -61,12 +61,7 @@ void Storm::step() {
                             : ops.swap_by_split_and_collapse(n, d));
   } else {
     const Point3 shift(0.01 * static_cast<double>(random_() % 10), 0.0, 0.001);
-    ok = bool(ops.relocate(n, d, [&](const Event& e) {
-      for (const Copy& c : e.copies.all()) {
-        const Index v = e.tree.mesh(c.node).vertex(c.dart);
-        tree_.attribute(c.node).set(v, tree_.points(c.node)[v] + shift);
-      }
-    }));
+    ok = bool(tree_.move(n, d, shift));
   }
   ok ? ++done : ++refused;
   if (root.capacity(root.dimension()) > 4 * (most_ + live_) || steps_ % 300 == 0) {

@@ -101,6 +101,15 @@ NodeId Tree::add_boundary(NodeId parent) {
   return add(add_child_from_boundary(*tree, parent, make_mesh));
 }
 
+Outcome Tree::move(NodeId n, Dart v, const Point3& by) {
+  return operations->relocate(n, v, [&](const Event& e) {
+    for (const Copy& c : e.copies.all()) {
+      const Index copy = e.tree.mesh(c.node).vertex(c.dart);
+      attribute(c.node).set(copy, points(c.node)[copy] + by);
+    }
+  });
+}
+
 const std::vector<TreeKind>& tree_kinds() {
   static const std::vector<TreeKind> all = [] {
     std::vector<TreeKind> kinds = surface_tree_kinds();

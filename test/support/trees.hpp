@@ -27,6 +27,9 @@ class Tree {
   NodeId add_tagged(NodeId parent, int k, const std::function<bool(Index)>& tagged, const CutOptions& = {});
   NodeId add_boundary(NodeId parent);
 
+  /// Relocates a vertex, in every mesh that has it.
+  Outcome move(NodeId n, Dart v, const Point3& by);
+
   const std::vector<Point3>& points(NodeId n) const { return *points_[index(n)]; }
   VertexAttribute<Point3>& attribute(NodeId n) { return *attributes_[index(n)]; }
 

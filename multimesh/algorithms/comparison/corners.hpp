@@ -3,21 +3,14 @@
 
 #include <algorithm>
 
-#include "multimesh/closest_point.hpp"
 #include "multimesh/algorithms/textured_surface.hpp"
+#include "multimesh/algorithms/to_point.hpp"
 
 namespace multimesh::comparison {
 
 // The corners of a triangle of a surface, as points for the closest-point queries and back.
 
 using Corners = std::array<TexturedTriangles::Corner, 3>;
-
-inline spatial::Point to_point(const OpenMesh::Vec3d& p) {
-  return {p[0], p[1], p[2]};
-}
-inline spatial::Point to_point(const OpenMesh::Vec2d& p) {
-  return {p[0], p[1], 0};
-}
 
 inline bool is_textured(const Corners& t) {
   return std::all_of(t.begin(), t.end(), [](const auto& c) { return c.texcoord >= 0; });

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "multimesh/algorithms/to_point.hpp"
+
 namespace multimesh::decimation {
 
 using OpenMesh::Vec3d;
@@ -13,10 +15,6 @@ namespace {
 /// How often a triangle of the input is cut in two until each part has one witness near all of it. Ten cuts,
 /// if all are in the middle, make parts of 1/32 of the size; more were not seen to help.
 constexpr int max_bisections = 10;
-
-spatial::Point point(const Vec3d& p) {
-  return {p[0], p[1], p[2]};
-}
 
 double squared_distance(const spatial::Point& p, const spatial::Point& q) {
   double sum = 0;
@@ -53,7 +51,7 @@ SurfaceDistance::SurfaceDistance(const TexturedSurface& surface, double bound)
       triangles_(root_.capacity(2)),
       witnesses_(root_.capacity(2)),
       candidates_(bound) {
-  for (const Vec3d& p : surface.positions()) vertices_.push_back({point(p), 0, {}});
+  for (const Vec3d& p : surface.positions()) vertices_.push_back({to_point(p), 0, {}});
   for (Index t = 0; t < root_.capacity(2); ++t) {
     if (!root_.is_live(2, t)) continue;
     root_.vertices(root_.dart_of(2, t), triangles_[t].vertices.data());
@@ -83,7 +81,7 @@ void SurfaceDistance::read_candidates(const PredictedStar& star) {
     for (const PredictedStar::Face& f : star.faces()) {
       if (f.dies || f.changes != changes || candidates_.size() == room) continue;
       const auto p = f.positions_after();
-      candidates_.add(f.before.facet, {point(p[0]), point(p[1]), point(p[2])});
+      candidates_.add(f.before.facet, {to_point(p[0]), to_point(p[1]), to_point(p[2])});
     }
   in_star_ = candidates_.size();
 }
@@ -149,7 +147,7 @@ void SurfaceDistance::add_witnesses_elsewhere(const PredictedStar& star, Index i
     std::array<Index, 3> v;
     root_.vertices(root_.dart_of(2, w), v.data());
     const auto& p = surface_.positions();
-    candidates_.add(w, {point(p[v[0]]), point(p[v[1]]), point(p[v[2]])});
+    candidates_.add(w, {to_point(p[v[0]]), to_point(p[v[1]]), to_point(p[v[2]])});
   }
 }
 
@@ -211,7 +209,7 @@ Witnesses::Set SurfaceDistance::named(Mask chosen) const {
 
 /// Whether a place is near a triangle of the input, of those that are witnessed in the old star.
 bool SurfaceDistance::is_near_input(const PredictedStar& star, const Vec3d& position) const {
-  const spatial::Point p = point(position);
+  const spatial::Point p = to_point(position);
   const auto is_far = [&](Index input) {
     const auto& v = triangles_[input].vertices;
     const spatial::Triangle t{vertices_[v[0]].position, vertices_[v[1]].position, vertices_[v[2]].position};

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "multimesh/closest_point.hpp"
+#include "multimesh/algorithms/to_point.hpp"
 
 namespace multimesh::decimation {
 
@@ -12,15 +12,9 @@ using OpenMesh::Vec3d;
 
 namespace {
 
-spatial::Point point(const Vec3d& p) {
-  return {p[0], p[1], p[2]};
-}
-spatial::Point point(const Vec2d& p) {
-  return {p[0], p[1], 0};
-}
 template <class V>
 spatial::Triangle triangle(const std::array<V, 3>& t) {
-  return {point(t[0]), point(t[1]), point(t[2])};
+  return {to_point(t[0]), to_point(t[1]), to_point(t[2])};
 }
 
 }  // namespace
@@ -77,7 +71,7 @@ bool TextureDistance::find_triangle(const PredictedStar& star, Index point) {
 }
 
 TextureDistance::Nearness TextureDistance::nearness(const Point& p, const PredictedStar::Face& after) const {
-  const auto in_texture = spatial::closest_point(point(p.texcoord), triangle(after.texcoords_after(set_)));
+  const auto in_texture = spatial::closest_point(to_point(p.texcoord), triangle(after.texcoords_after(set_)));
   const spatial::Point place = spatial::at(triangle(after.positions_after()), in_texture.barycentric);
   return {in_texture.squared_distance, (Vec3d(place[0], place[1], place[2]) - p.position).sqrnorm()};
 }

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "multimesh/algorithms/to_point.hpp"
+
 namespace multimesh::remeshing {
 
 using OpenMesh::Vec3d;
@@ -16,10 +18,6 @@ namespace {
 constexpr double bent_cosine = 0.9;
 /// Of the bound: a triangle is compared at four points, and may be farther in between.
 constexpr double few_points = 0.6;
-
-spatial::Point point(const Vec3d& p) {
-  return {p[0], p[1], p[2]};
-}
 
 Vec3d normal(const spatial::Triangle& t) {
   const Vec3d a(t[0].data()), b(t[1].data()), c(t[2].data());
@@ -39,7 +37,7 @@ DistanceGuard::DistanceGuard(const Mesh& root, const Coordinates& positions, con
     for (std::size_t i = 0; i < 3; ++i)
       if (!known[v[i]]) {
         known[v[i]] = true;
-        points_.push_back(point(positions.at(v[i])));
+        points_.push_back(to_point(positions.at(v[i])));
         put(static_cast<Index>(points_.size() - 1), f);
       }
     add_points(f, spacing);
@@ -65,7 +63,7 @@ void DistanceGuard::add_points(Index facet, double spacing) {
 spatial::Triangle DistanceGuard::triangle(Dart d) const {
   std::array<Index, 4> v{};
   root_.vertices(d, v.data());
-  return {point(positions_.at(v[0])), point(positions_.at(v[1])), point(positions_.at(v[2]))};
+  return {to_point(positions_.at(v[0])), to_point(positions_.at(v[1])), to_point(positions_.at(v[2]))};
 }
 
 void DistanceGuard::put(Index p, Index triangle) {

@@ -39,27 +39,24 @@ void Remesher::smooth(Dart vertex) {
   const Freedom freedom = strata_.freedom(vertex, line);
   if (freedom == Freedom::none) return;
   const Vec3d here = at(vertex);
-  Vec3d step;
+  Vec3d step, normal(0, 0, 0);
   if (freedom == Freedom::line) {
     step = (at(root_.reorder(line[0], exchange_ends)) + at(root_.reorder(line[1], exchange_ends))) / 2 - here;
   } else {
-    Vec3d normal;
     step = centre(vertex, normal) - here;
     if (normal.sqrnorm() > 0) step -= normal * ((step | normal) / normal.sqrnorm());
   }
   for (const double share : {1.0, 0.5, 0.25, 0.0})  // the last one: at least onto the input
-    if (const auto to = place(vertex, freedom, line, here + step * share); to && move(vertex, *to)) {
+    if (const auto to = place(vertex, freedom, line, here + step * share, normal); to && move(vertex, *to)) {
       ++result_.moves;
       return;
     }
 }
 
 std::optional<Place> Remesher::place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
-                                     const Vec3d& wanted) {
+                                     const Vec3d& wanted, const Vec3d& normal) const {
   if (freedom == Freedom::none) return std::nullopt;
   if (freedom == Freedom::line) return reference_.on_line(line_[root_.simplex(line[0], 1)], wanted);
-  Vec3d normal;
-  (void)centre(vertex, normal);
   return reference_.on_patch(patch_[root_.facet(vertex)], wanted, normal);
 }
 

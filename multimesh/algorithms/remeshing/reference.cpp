@@ -5,17 +5,11 @@
 #include <array>
 #include <utility>
 
+#include "multimesh/algorithms/to_point.hpp"
+
 namespace multimesh::remeshing {
 
 using OpenMesh::Vec3d;
-
-namespace {
-
-spatial::Point point(const Vec3d& p) {
-  return {p[0], p[1], p[2]};
-}
-
-}  // namespace
 
 Reference::Reference(const MultiMesh& tree, const Coordinates& positions, std::span<Coordinates* const> below,
                      TreeStrata& strata, std::vector<Index>& patch, std::vector<Index>& line)
@@ -80,7 +74,7 @@ void Reference::add(Layer& layer, Dart d, int k, Index group) {
   root_.vertices(d, v.data());
   const auto corner = [&](std::size_t i) { return i > static_cast<std::size_t>(k) ? std::size_t(k) : i; };
   const std::array<Vec3d, 3> p{positions_.at(v[0]), positions_.at(v[1]), positions_.at(v[corner(2)])};
-  layer.triangles.push_back({point(p[0]), point(p[1]), point(p[2])});
+  layer.triangles.push_back({to_point(p[0]), to_point(p[1]), to_point(p[2])});
   layer.group.push_back(group);
   layer.normal.push_back(cross(p[1] - p[0], p[2] - p[0]));
   DartBuffer copies;
@@ -119,9 +113,9 @@ Place Reference::place(const Layer& layer, const spatial::TriangleTree& tree, co
 
 std::optional<Place> Reference::on_patch(Index patch, const Vec3d& p, const Vec3d& normal) const {
   const auto found =
-      triangles_->nearest_chosen(point(p), [&](Index f) -> std::optional<spatial::PointOnTriangle> {
+      triangles_->nearest_chosen(to_point(p), [&](Index f) -> std::optional<spatial::PointOnTriangle> {
         if (patches_.group[f] != patch || (patches_.normal[f] | normal) < 0) return std::nullopt;
-        return spatial::closest_point(point(p), triangles_->triangles()[f]);
+        return spatial::closest_point(to_point(p), triangles_->triangles()[f]);
       });
   if (!found) return std::nullopt;
   return place(patches_, *triangles_, *found);
@@ -130,9 +124,9 @@ std::optional<Place> Reference::on_patch(Index patch, const Vec3d& p, const Vec3
 std::optional<Place> Reference::on_line(Index line, const Vec3d& p) const {
   if (!segments_) return std::nullopt;
   const auto found =
-      segments_->nearest_chosen(point(p), [&](Index f) -> std::optional<spatial::PointOnTriangle> {
+      segments_->nearest_chosen(to_point(p), [&](Index f) -> std::optional<spatial::PointOnTriangle> {
         if (lines_.group[f] != line) return std::nullopt;
-        return spatial::closest_point(point(p), segments_->triangles()[f]);
+        return spatial::closest_point(to_point(p), segments_->triangles()[f]);
       });
   if (!found) return std::nullopt;
   return place(lines_, *segments_, *found);

@@ -107,7 +107,9 @@ void Remesher::split_long_edges() {
       ++split;
       std::array<Dart, 2> line{};
       const Freedom freedom = strata_.freedom(v, line);
-      if (const auto to = place(v, freedom, line, at(v))) move(v, *to);
+      Vec3d normal;
+      (void)centre(v, normal);
+      if (const auto to = place(v, freedom, line, at(v), normal)) move(v, *to);
     }
     result_.splits += split;
     if (split == 0) return;
@@ -132,7 +134,7 @@ bool Remesher::may_be_removed(Dart edge) {
 
 double Remesher::longest_after_collapse(Dart edge) {
   const Dart other = root_.reorder(edge, exchange_ends);
-  strata_.edges_at(edge, edges_);
+  edges_around(root_, edge, edges_);
   double longest = 0;
   for (const Dart x : edges_) {
     const double then = (at(root_.reorder(x, exchange_ends)) - at(other)).norm();

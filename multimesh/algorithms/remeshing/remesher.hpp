@@ -44,7 +44,7 @@ class Remesher {
   void smooth(Dart vertex);
   OpenMesh::Vec3d centre(Dart vertex, OpenMesh::Vec3d& normal);
   std::optional<Place> place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
-                             const OpenMesh::Vec3d& wanted);
+                             const OpenMesh::Vec3d& wanted, const OpenMesh::Vec3d& normal) const;
   bool move(Dart vertex, const Place& to);
   /// An operation on these triangles, undone if it takes the surface too far from the input. `k`: the
   /// triangles that there are then are those around the vertex or the edge of its dart.

@@ -3,14 +3,15 @@
 
 #include <vector>
 
-#include "multimesh/algorithms/decimate.hpp"
+#include "multimesh/algorithms/textured_surface.hpp"
 
-namespace multimesh::decimation {
+namespace multimesh {
 
-/// Locks the vertices that the options say, as long as it lives.
+/// Locks the ends of edges of a surface as long as it lives: those in the boundary, if asked, and those with
+/// any of some kinds of curve.
 class VertexLocks {
  public:
-  VertexLocks(TexturedSurface& surface, const DecimateOptions& options);
+  VertexLocks(TexturedSurface& surface, bool boundary, CurveKinds curves);
   ~VertexLocks();
   VertexLocks(const VertexLocks&) = delete;
   VertexLocks& operator=(const VertexLocks&) = delete;
@@ -23,4 +24,4 @@ class VertexLocks {
   std::vector<Index> locked_;
 };
 
-}  // namespace multimesh::decimation
+}  // namespace multimesh
