@@ -7,6 +7,7 @@
 namespace multimesh {
 
 EdgeKind TreeStrata::kind(Dart e) {
+  if (numbers_ && (*numbers_)[root_.simplex(e, 1)] == 0) return {};
   copies_.collect(tree_, e, 1);
   EdgeKind kind;
   for (const NodeId n : tree_.nodes()) {

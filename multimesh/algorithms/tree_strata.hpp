@@ -33,6 +33,10 @@ class TreeStrata {
  public:
   explicit TreeStrata(const MultiMesh& tree) : tree_(tree), root_(tree.mesh(NodeId::root)) {}
 
+  /// From now on an edge whose number is 0 is plain without a look at its copies: who keeps the numbers
+  /// answers for them. `numbers`: per edge of the root.
+  void trust(const std::vector<Index>& numbers) noexcept { numbers_ = &numbers; }
+
   /// Of the edge of (a, b, ..). Cost: that of its copies
   EdgeKind kind(Dart e);
   bool is_plain(Dart e) { return kind(e).is_plain(); }
@@ -55,6 +59,7 @@ class TreeStrata {
   const Mesh& root_;
   Copies copies_;
   DartBuffer edges_;
+  const std::vector<Index>* numbers_ = nullptr;
 };
 
 }  // namespace multimesh

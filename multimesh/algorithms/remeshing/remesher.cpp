@@ -46,6 +46,7 @@ Remesher::Remesher(Propagation& operations, Coordinates& positions, std::span<Co
       reference_(tree_, positions, below, strata_, patch, line),
       guard_(root_, positions, reference_, nearness * options.length, spacing * options.length),
       shape_(root_, positions, false) {
+  strata_.trust(line);
   for (const Coordinates* c : below) shapes_below_.emplace_back(tree_.mesh(c->node()), *c, true);
 }
 
@@ -159,6 +160,22 @@ bool Remesher::guarded(DartBuffer& triangles, int k, const std::function<Outcome
   return false;
 }
 
+// A line through a goes on from b afterwards: by an edge that may have been no part of it.
+std::optional<Remesher::Merged> Remesher::merged_line(Dart edge) {
+  const Index number = line_[root_.simplex(edge, 1)];
+  std::array<Dart, 2> line{};
+  if (number == 0 || strata_.freedom(edge, line) != Freedom::line) return std::nullopt;
+  const Dart next = root_.same_simplex(line[0], edge, 1) ? line[1] : line[0];
+  return Merged{root_.vertex(root_.reorder(edge, exchange_ends)),
+                root_.vertex(root_.reorder(next, exchange_ends)), number};
+}
+
+void Remesher::number_line(const Merged& line) {
+  edges_around(root_, root_.dart_of(0, line.from), edges_);
+  for (const Dart e : edges_)
+    if (root_.vertex(root_.reorder(e, exchange_ends)) == line.to) line_[root_.simplex(e, 1)] = line.number;
+}
+
 bool Remesher::collapse(Dart edge) {
   if (measure(edge) >= shortest_ || strata_.is_frozen(edge)) return false;
   std::array<std::pair<double, Dart>, 2> ways{};
@@ -180,6 +197,7 @@ bool Remesher::collapse(Dart edge) {
         good = good && shapes_below_[m].allows(c.dart, below_[m]->at(kept), kept);
       }
     if (!good) continue;
+    const std::optional<Merged> line = merged_line(d);
     const auto done = hooks_.collapsing ? hooks_.collapsing(d) : std::function<void()>();
     root_.star(d, 0, changing_);
     root_.star(b, 0, star_);
@@ -189,6 +207,7 @@ bool Remesher::collapse(Dart edge) {
         changing_.push_back(t);
     if (!guarded(changing_, 0, [&] { return operations_.collapse(NodeId::root, d, Placement::keep_b()); }))
       continue;
+    if (line) number_line(*line);
     if (done) done();
     return true;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,12 @@ class Remesher {
 
   bool may_be_removed(Dart edge);
   bool collapse(Dart edge);
+  /// The edge of a line that a collapse leaves, by its ends.
+  struct Merged {
+    Index from, to, number;
+  };
+  std::optional<Merged> merged_line(Dart edge);
+  void number_line(const Merged& line);
   double longest_after_collapse(Dart edge);
   bool swap(Dart edge);
   int deviation(Dart vertex, int change);
