@@ -92,6 +92,7 @@ class Subdivider {
   void plan_vertices();
   void split_edges();
   void swap_edges(const std::vector<Index>& source);
+  void move(const Point& p);
 
   Propagation& operations_;
   const MultiMesh& tree_;
@@ -175,6 +176,14 @@ void Subdivider::swap_edges(const std::vector<Index>& source) {
   }
 }
 
+// As a relocation, so that what follows coordinates (those of corners) follows.
+void Subdivider::move(const Point& p) {
+  const NodeId n = rules_[p.rules].node();
+  const Outcome o = operations_.relocate(n, tree_.mesh(n).dart_of(0, p.a),
+                                         [&](const Event&) { rules_[p.rules].set(p.a, p.at); });
+  if (!o) throw UsageError("subdivide: an invariant refused a move: " + std::string(o.refusal.invariant));
+}
+
 void Subdivider::run(std::vector<Index>& source) {
   for (Index f = 0; f < source.size(); ++f) source[f] = f;
   plan_edges();
@@ -183,7 +192,7 @@ void Subdivider::run(std::vector<Index>& source) {
   split_edges();
   swap_edges(source);
   for (const auto* points : {&vertex_points_, &new_points_})
-    for (const Point& p : *points) rules_[p.rules].set(p.a, p.at);
+    for (const Point& p : *points) move(p);
   step.commit();
 }
 

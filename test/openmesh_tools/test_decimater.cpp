@@ -37,12 +37,7 @@ Kept kept(Mesh& mesh, const MultiMesh& tree) {
     const MeshReport r = report(tree.mesh(n));
     kept.meshes.push_back({r.components, r.boundary});
   }
-  for (const auto f : mesh.faces()) {
-    const auto h = mesh.halfedge_handle(f);
-    const auto a = mesh.texcoord2D(h), b = mesh.texcoord2D(mesh.next_halfedge_handle(h)),
-               c = mesh.texcoord2D(mesh.prev_halfedge_handle(h));
-    kept.flipped += (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]) <= 0;
-  }
+  kept.flipped = mirrored_triangles(mesh);
   return kept;
 }
 

@@ -52,4 +52,17 @@ void make_torus(Mesh& mesh, int n, int m, int charts, bool open) {
       face({{{i, j}, {i + 1, j}, {i + 1, j + 1}}}), face({{{i, j}, {i + 1, j + 1}, {i, j + 1}}});
 }
 
+/// Triangles whose texture coordinates run the other way round, or have no area.
+template <class Mesh>
+std::size_t mirrored_triangles(const Mesh& mesh) {
+  std::size_t mirrored = 0;
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge_handle(f);
+    const auto a = mesh.texcoord2D(h), b = mesh.texcoord2D(mesh.next_halfedge_handle(h)),
+               c = mesh.texcoord2D(mesh.prev_halfedge_handle(h));
+    mirrored += (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]) <= 0;
+  }
+  return mirrored;
+}
+
 }  // namespace multimesh::test

@@ -71,14 +71,7 @@ TYPED_TEST(RemeshAttached, RunsUnchangedAloneAndInATree) {
         EXPECT_EQ(now.boundary, before[i++].boundary);
       }
       if (children == none) continue;
-      std::size_t flipped = 0;
-      for (const auto f : mesh.faces()) {
-        const auto h = mesh.halfedge_handle(f);
-        const auto a = mesh.texcoord2D(h), b = mesh.texcoord2D(mesh.next_halfedge_handle(h)),
-                   c = mesh.texcoord2D(mesh.prev_halfedge_handle(h));
-        flipped += (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]) <= 0;
-      }
-      EXPECT_EQ(flipped, 0U);
+      EXPECT_EQ(mirrored_triangles(mesh), 0U);
     }
 }
 
