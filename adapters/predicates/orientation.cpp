@@ -12,18 +12,11 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 Kernel::Point_3 point3(const double* p) {
   return {p[0], p[1], p[2]};
 }
-Kernel::Point_2 point2(const double* p) {
-  return {p[0], p[1]};
-}
 
 }  // namespace
 
 int orient3d(const double* a, const double* b, const double* c, const double* d) {
   return static_cast<int>(CGAL::orientation(point3(a), point3(b), point3(c), point3(d)));
-}
-
-int orient2d(const double* a, const double* b, const double* c) {
-  return static_cast<int>(CGAL::orientation(point2(a), point2(b), point2(c)));
 }
 
 bool collinear(const double* a, const double* b, const double* c) {

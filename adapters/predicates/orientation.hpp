@@ -9,9 +9,6 @@ namespace multimesh {
 /// Thread-safe. By CGAL's kernel of exact predicates (Bronnimann, Burnikel, Pion 2001).
 int orient3d(const double* a, const double* b, const double* c, const double* d);
 
-/// The sign of det(b-a, c-a), exact for finite doubles: 1 if (a,b,c) turns left. Arguments: 2 doubles each.
-int orient2d(const double* a, const double* b, const double* c);
-
 /// Whether three points of space, 3 doubles each, lie on one line; exact.
 bool collinear(const double* a, const double* b, const double* c);
 

@@ -14,9 +14,6 @@ TEST(Orientation, HasTheSignOfTheDeterminant) {
   EXPECT_EQ(orient3d(o, x, y, z), 1);
   EXPECT_EQ(orient3d(o, y, x, z), -1);
   EXPECT_EQ(orient3d(o, x, y, x), 0);
-  EXPECT_EQ(orient2d(o, x, y), 1);
-  EXPECT_EQ(orient2d(o, y, x), -1);
-  EXPECT_EQ(orient2d(o, x, x), 0);
 }
 
 TEST(Orientation, SeesOneUlp) {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "adapters/predicates/orientation.hpp"
+#include "multimesh/orient2d.hpp"
 
 namespace multimesh::improvement {
 
