@@ -4,12 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 #include "adapters/io/byte_order.hpp"
 #include "adapters/io/content_check.hpp"
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/soup_check.hpp"
+#include "adapters/io/weld.hpp"
 #include "adapters/io/word_source.hpp"
 
 namespace multimesh::io {
@@ -19,14 +19,6 @@ using Point = std::array<double, 3>;
 
 constexpr std::size_t header_size = 84, facet_size = 50;
 
-struct PointHash {
-  std::size_t operator()(const Point& p) const {
-    std::uint64_t h = 0;
-    for (const double x : p) h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15U, h ^= h >> 32U;
-    return static_cast<std::size_t>(h);
-  }
-};
-
 /// Collects facets, and joins equal corners.
 class FacetCollector {
  public:
@@ -35,18 +27,13 @@ class FacetCollector {
     soup_.face_begin.reserve(facets + 1);
     soup_.face_line.reserve(facets);
     soup_.face_section.reserve(facets);
-    index_.reserve(facets / 2);
+    soup_.positions.reserve(3 * facets);
   }
 
   /// \pre finite
-  void corner(Point p) {
-    for (double& x : p) x += 0.0;  // makes -0 and 0 one
-    const auto [at, is_new] = index_.try_emplace(p, static_cast<std::int32_t>(soup_.positions.size()));
-    if (is_new)
-      soup_.positions.push_back(p);
-    else
-      ++soup_.notes.merged_positions;
-    soup_.corners.push_back({at->second, -1, -1});
+  void corner(const Point& p) {
+    soup_.corners.push_back({static_cast<std::int32_t>(soup_.positions.size()), -1, -1});
+    soup_.positions.push_back(p);
   }
 
   void end_facet(std::size_t line) {
@@ -58,6 +45,7 @@ class FacetCollector {
   PolygonSoup finish(const std::string& file) {
     if (soup_.face_count() == 0) fail_file(file, "the file has no facet; give a surface");
     soup_.sections.emplace_back();
+    join_equal_corners();
     return std::move(soup_);
   }
 
@@ -67,8 +55,25 @@ class FacetCollector {
   void warn(std::string message) { soup_.warnings.push_back(std::move(message)); }
 
  private:
+  void join_equal_corners() {
+    const std::vector<std::uint32_t> joins = coincident_points(soup_.positions);
+    std::vector<std::int32_t> number(joins.size());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < joins.size(); ++i) {
+      if (joins[i] == i) {
+        for (double& x : soup_.positions[i]) x += 0.0;  // no -0
+        soup_.positions[kept] = soup_.positions[i];
+        number[i] = static_cast<std::int32_t>(kept++);
+      } else {
+        number[i] = number[joins[i]];
+      }
+    }
+    soup_.notes.merged_positions = joins.size() - kept;
+    soup_.positions.resize(kept);
+    for (auto& c : soup_.corners) c.v = number[static_cast<std::size_t>(c.v)];
+  }
+
   PolygonSoup soup_;
-  std::unordered_map<Point, std::int32_t, PointHash> index_;
 };
 
 bool is_finite(const Point& p) {
