@@ -112,6 +112,8 @@ void read_msh2_periodic(MshContent& content) {
   for (std::size_t n = words.count("periodic entities", 6); n > 0; --n) {
     SimplexSoup::Periodic link;
     link.dimension = words.integer32("the dimension of a periodic entity");
+    if (link.dimension < 0 || link.dimension > 3)
+      words.fail("the dimension of a periodic entity must be 0 to 3");
     link.slave = words.integer32("the tag of a periodic entity");
     link.master = words.integer32("the tag of a master entity");
     link.affine = affine(words);

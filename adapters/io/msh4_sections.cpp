@@ -112,6 +112,10 @@ void read_msh4_periodic(MshContent& content) {
     link.master = in.integer("the tag of a master entity");
     for (std::size_t i = in.count("numbers of an affine map", 1); i > 0; --i)
       link.affine.push_back(in.real("an affine map"));
+    if (!link.affine.empty() && link.affine.size() != 16) {
+      content.out.left_out("an affine map of other than 16 numbers");
+      link.affine.clear();
+    }
     const std::size_t pairs = in.count("periodic nodes", 2);
     for (std::size_t i = 0; i < pairs; ++i) {
       std::array<std::uint32_t, 2> pair{};

@@ -19,6 +19,8 @@ class MshSink {
   MshSink(OutputBuffer& out, bool binary) : out_(out), binary_(binary) {}
 
   bool binary() const { return binary_; }
+  /// The same file, with numbers as text.
+  MshSink as_text() const { return {out_, false}; }
   void text(std::string_view s) { out_.text(s); }
   void text_number(std::uint64_t value) { out_.number(value); }
 

@@ -24,6 +24,13 @@ void check(const SimplexSoup& soup) {
     if (std::ranges::any_of(block.corners, [&](auto v) { return v >= soup.points.size(); }))
       throw UsageError("a simplex names a point that is not there");
   }
+  for (const SimplexSoup::Periodic& link : soup.periodic) {
+    if (link.dimension < 0 || link.dimension > 3 || (!link.affine.empty() && link.affine.size() != 16))
+      throw UsageError("a periodic link has no dimension from 0 to 3, or no affine map of 16 numbers");
+    for (const auto& [slave, master] : link.points)
+      if (slave >= soup.points.size() || master >= soup.points.size())
+        throw UsageError("a periodic link names a point that is not there");
+  }
   if (!soup.point_tags.empty() && soup.point_tags.size() != soup.points.size())
     throw UsageError("there are points and point tags of different numbers");
 }
@@ -111,7 +118,7 @@ std::vector<std::string> write_simplices(const std::filesystem::path& path, cons
     out.flush();
     output.commit();
   }
-  if (!soup.periodic.empty()) lost.push_back("periodic links");
+  if (!soup.periodic.empty() && extension != ".msh") lost.push_back("periodic links");
   std::vector<std::string> warnings;
   for (const std::string& what : lost) warnings.push_back(file + ": " + what + " are not written");
   return warnings;

@@ -32,7 +32,8 @@ struct SimplexWriteOptions {
 ///
 /// Text has the fewest digits from which the same double is read again. Vertices in MEDIT are written as
 /// Corners, or as RequiredVertices where they have that flag only, and pass their tags to their points.
-/// Simplices keep their order. Of periodic links and all else that is not written a warning tells. The file
+/// Simplices keep their order. Periodic links are written to .msh ($Periodic), with the entities that they
+/// name (MshEntities). Of all that is not written a warning tells. The file
 /// appears complete or not at all (AtomicFile). \return warnings, one sentence each, naming the file \throw
 /// InputError for an unknown extension, no simplex that the format can hold, coordinates or tags that it
 ///   cannot hold, a directory, a missing directory, a full disk. UsageError for a soup whose arrays do not
