@@ -52,8 +52,8 @@ struct Placement {
 /// Attributes and invariants are those of the algorithm that uses it; they are not owned and must outlive
 /// it. Those of a mesh that was detached are not asked any more. An exception thrown by one of them leaves everything as it was before the operation. Cost per
 /// operation: that of the stars of the edge's copies; buffers are re-used, but queries over two or more
-/// levels of the tree allocate. Source: Codimensional MultiMeshing, section 4; legality beyond it: DESIGN
-/// section 7.
+/// levels of the tree allocate. Source: Codimensional MultiMeshing, section 4; legality beyond it:
+/// docs/concepts.md#when-a-collapse-is-legal.
 class Propagation {
  public:
   explicit Propagation(MultiMesh& tree) : tree_(tree) {}

@@ -45,6 +45,13 @@ TEST(Documents, LinkToFilesThatExist) {
   EXPECT_GT(links, 50U);
 }
 
+// A path that exists on its writer's machine only helps nobody else.
+TEST(Documents, NameNoPathOfOneMachine) {
+  const std::regex path(R"((^|[\s`"'(])/(work|home|root|Users|mnt)/)");
+  for (const fs::path& document : documents())
+    EXPECT_FALSE(std::regex_search(text_of(document), path)) << document;
+}
+
 std::string without_space(std::string text) {
   std::erase_if(text, [](unsigned char c) { return std::isspace(c); });
   return text;

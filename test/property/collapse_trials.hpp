@@ -76,8 +76,8 @@ std::size_t total_candidates(std::size_t fallback);
 /// A surface that OpenMesh can hold, all of them in turn.
 oracle::Surface orientable_surface(std::uint64_t seed);
 
-/// The same tree with its curves below the root cut where their type changes as well (guards, DESIGN section
-/// 7): where another child or the boundary of the root is met or left.
+/// The same tree with its curves below the root cut where their type changes as well (guards,
+/// docs/concepts.md#when-a-collapse-is-legal): where another child or the boundary of the root is met or left.
 /// \pre all children are curves below the root
 oracle::Tree cut_at_contacts(const oracle::Tree& tree);
 

@@ -14,7 +14,7 @@
 namespace multimesh::test {
 namespace {
 
-/// What an accepted collapse must leave as it was (DESIGN section 7).
+/// What an accepted collapse must leave as it was (docs/concepts.md#when-a-collapse-is-legal).
 enum class Promise {
   /// Every mesh, and every image in all its ancestors: L + U, where a mesh guards each stratum.
   everything,

@@ -49,8 +49,8 @@ void run(MultiMesh& tree, std::uint64_t seed, std::size_t operations, Count& cou
   count.add(shadow);
 }
 
-/// Every stratum has a mesh: no operation may change the place of any mesh in its ancestors (DESIGN section
-/// 7).
+/// Every stratum has a mesh: no operation may change the place of any mesh in its ancestors
+/// (guards: docs/concepts.md#when-a-collapse-is-legal).
 bool is_guarded(oracle::TreeKind kind) {
   switch (kind) {
     case oracle::TreeKind::kUv:
