@@ -10,8 +10,6 @@ namespace multimesh::openmesh {
 
 namespace {
 
-constexpr const char* attached_name = "mm:attached";
-
 std::uint32_t word(int i) {
   return static_cast<std::uint32_t>(i);
 }
@@ -24,12 +22,13 @@ std::size_t at(int i) {
 
 }  // namespace
 
-Connectivity::Connectivity(int dimension, OpenMesh::PolyConnectivity& om) : Mesh(dimension), om_(om) {
-  refuse_double_attachment();
-  om_.request_vertex_status();
-  om_.request_edge_status();
-  om_.request_face_status();
-  om_.add_property(attached_, attached_name);
+Connectivity::Connectivity(int dimension, OpenMesh::PolyConnectivity& om)
+    : Mesh(dimension), om_(om), attachment_(om) {
+  if (!attachment_.of_copy()) {
+    om_.request_vertex_status();
+    om_.request_edge_status();
+    om_.request_face_status();
+  }
   vertex_status_ = &om_.property(om_.vertex_status_pph()).data_vector();
   edge_status_ = &om_.property(om_.edge_status_pph()).data_vector();
   face_status_ = &om_.property(om_.face_status_pph()).data_vector();
@@ -40,7 +39,6 @@ Connectivity::~Connectivity() {
   remove_anchors();
   for (std::size_t i = 0; i < links_.size(); ++i)
     if (links_[i].used) remove_links(static_cast<LinkSet>(i));
-  om_.remove_property(attached_);
   const auto has_dead = [](const Status& list) {
     return std::any_of(list.begin(), list.end(), [](const auto& s) { return s.deleted(); });
   };
@@ -68,12 +66,6 @@ void Connectivity::require_proper() const {
   std::vector<std::string> problems;
   for (int k = 1; k <= dimension(); ++k) check_simplices_differ(*this, k, problems);
   refuse_if_any(problems);
-}
-
-void Connectivity::refuse_double_attachment() const {
-  OpenMesh::VPropHandleT<char> other;
-  if (om_.get_property_handle(other, attached_name))
-    throw UsageError("this OpenMesh mesh is already part of a multimesh; detach it first");
 }
 
 void Connectivity::watch() {

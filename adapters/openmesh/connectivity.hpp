@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "adapters/openmesh/attachment.hpp"
 #include "adapters/openmesh/watch.hpp"
 #include "multimesh/mesh.hpp"
 
@@ -15,9 +16,10 @@ namespace multimesh::openmesh {
 /// one compiled class serves all traits), our properties on it, and a journal of every word written.
 ///
 /// The mesh stays the user's. We request vertex, edge and face status, and add properties whose names begin
-/// with "mm:"; all that is taken back when the adapter dies. While attached, the mesh must not be moved,
-/// assigned or cleared; edits of its connectivity other than through the tree are detected (Watch), and
-/// followed where that is possible (MultiMesh::resync).
+/// with "mm:"; all that is taken back when the adapter dies. Copies of the mesh are ordinary meshes, which
+/// can be attached by themselves. While attached, the mesh must not be moved, assigned or cleared; edits of
+/// its connectivity other than through the tree are detected (Watch), and followed where that is possible
+/// (MultiMesh::resync).
 class Connectivity : public Mesh {
  public:
   ~Connectivity() override;
@@ -146,9 +148,9 @@ class Connectivity : public Mesh {
   void set_dart_blocks(Compaction& moved) const;
   void undo(const Entry& e);
   void copy_properties(int k, std::size_t from, std::size_t to);
-  void refuse_double_attachment() const;
 
   std::unique_ptr<OpenMesh::PolyConnectivity> owned_;
+  Attachment attachment_;
   std::vector<Entry> log_;
   // Dead elements that hold the protected properties of live ones: OpenMesh's property base class can copy
   // between the elements of a mesh only.
@@ -158,7 +160,6 @@ class Connectivity : public Mesh {
   Status* face_status_ = nullptr;
   OpenMesh::EPropHandleT<Anchor> edge_anchors_;
   OpenMesh::FPropHandleT<Anchor> face_anchors_;
-  OpenMesh::VPropHandleT<char> attached_;
   std::vector<Anchor>* anchors_ = nullptr;
   std::vector<Links> links_;
   std::unique_ptr<Watch> watch_;  // of a mesh of the user's

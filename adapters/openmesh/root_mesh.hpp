@@ -35,8 +35,8 @@ class RootMesh : public UserMesh {
   using Tree = Attached<RootMesh>;
 
   /// From now on operations are those of the tree; it must be driven no more before it goes.
-  void drive(Tree& tree) noexcept { tree_ = &tree; }
-  void drive_no_more() noexcept { tree_ = nullptr; }
+  void drive(Tree& tree) noexcept { tree_.pointer = &tree; }
+  void drive_no_more() noexcept { tree_.pointer = nullptr; }
   /// How many operations the tree has refused.
   std::size_t refused() const noexcept { return refused_; }
 
@@ -113,7 +113,17 @@ class RootMesh : public UserMesh {
     return OpenMesh::SmartVertexHandle(v.idx(), this);
   }
 
-  Tree* tree_ = nullptr;
+  // A copy of the mesh, which is not the root, drives no tree.
+  struct DrivenTree {
+    DrivenTree() = default;
+    DrivenTree(const DrivenTree&) noexcept {}
+    DrivenTree& operator=(const DrivenTree&) noexcept { return *this; }
+    explicit operator bool() const noexcept { return pointer != nullptr; }
+    Tree* operator->() const noexcept { return pointer; }
+    Tree* pointer = nullptr;
+  };
+
+  DrivenTree tree_;
   Point place_{};
   std::size_t refused_ = 0;
 };
