@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,11 @@ struct MadeSurface {
   std::vector<std::size_t> chart;  ///< per triangle; no_texture: none
   std::vector<AffineMap> maps;
 };
+
+/// Found by GoogleTest, which prints the bytes of a parameter otherwise.
+inline void PrintTo(const MadeSurface& s, std::ostream* out) {
+  *out << s.name;
+}
 
 inline constexpr std::size_t no_texture = ~std::size_t{0};
 

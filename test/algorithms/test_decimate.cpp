@@ -7,6 +7,7 @@
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/validate.hpp"
+#include "test/algorithms/decimate_cost_name.hpp"
 #include "test/algorithms/judge.hpp"
 #include "test/algorithms/made_surface.hpp"
 
@@ -31,10 +32,15 @@ std::vector<Case> cases(Which which) {
   return all;
 }
 
-std::string name_of(const ::testing::TestParamInfo<Case>& p) {
-  return p.param.surface.name + (p.param.cost == DecimateCost::length ? "Length" : "Quadric") +
-         std::to_string(std::lround(100 * p.param.ratio));
+std::string name_of(const Case& c) {
+  return c.surface.name + name_of(c.cost) + std::to_string(std::lround(100 * c.ratio));
 }
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << name_of(c);
+}
+
+const auto name_of_info = [](const auto& info) { return name_of(info.param); };
 
 bool same_topology(const MeshReport& x, const MeshReport& y) {
   return x.components == y.components && x.euler_characteristic == y.euler_characteristic &&
@@ -146,8 +152,8 @@ TEST_P(Decimate, TwoRunsAreEqual) {
   EXPECT_EQ(other_after.texcoords, after.texcoords);
 }
 
-INSTANTIATE_TEST_SUITE_P(Made, Decimate, ::testing::ValuesIn(cases(Which::all)), name_of);
-INSTANTIATE_TEST_SUITE_P(Made, DecimateAffine, ::testing::ValuesIn(cases(Which::affine)), name_of);
+INSTANTIATE_TEST_SUITE_P(Made, Decimate, ::testing::ValuesIn(cases(Which::all)), name_of_info);
+INSTANTIATE_TEST_SUITE_P(Made, DecimateAffine, ::testing::ValuesIn(cases(Which::affine)), name_of_info);
 
 }  // namespace
 }  // namespace multimesh::test

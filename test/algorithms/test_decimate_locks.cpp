@@ -11,6 +11,7 @@
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/validate.hpp"
+#include "test/algorithms/decimate_cost_name.hpp"
 #include "test/algorithms/judge.hpp"
 #include "test/algorithms/rich_surface.hpp"
 
@@ -203,6 +204,10 @@ TEST(LabelBorders, ArePreservedUnlessTheyAreNot) {
 }
 
 enum class Texture { none, faces, cross };
+
+void PrintTo(Texture t, std::ostream* out) {
+  *out << (t == Texture::none ? "no texture" : t == Texture::faces ? "a chart per side" : "a cross");
+}
 
 class Cube : public ::testing::TestWithParam<std::tuple<Texture, double, DecimateCost>> {
  protected:

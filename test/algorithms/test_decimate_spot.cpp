@@ -7,6 +7,7 @@
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/validate.hpp"
+#include "test/algorithms/decimate_cost_name.hpp"
 #include "test/algorithms/judge.hpp"
 #include "test/algorithms/rich_surface.hpp"
 
@@ -44,9 +45,7 @@ TEST_P(DecimateSpot, KeepsSeamGraphAtTwoPercent) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cost, DecimateSpot, ::testing::Values(DecimateCost::quadric, DecimateCost::length),
-                         [](const auto& p) {
-                           return p.param == DecimateCost::length ? "Length" : "Quadric";
-                         });
+                         [](const auto& p) { return name_of(p.param); });
 
 // The area below which a triangle of the texture counts as having none may not come from another chart: one
 // triangle far away in the texture, and the flips of all others would pass unseen.

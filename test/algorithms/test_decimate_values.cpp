@@ -12,6 +12,7 @@
 #include "multimesh/algorithms/shading.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/validate.hpp"
+#include "test/algorithms/decimate_cost_name.hpp"
 #include "test/algorithms/judge.hpp"
 #include "test/algorithms/rich_surface.hpp"
 
@@ -31,6 +32,10 @@ struct UvCase {
   std::string name;
   TexturedTriangles input;
 };
+
+void PrintTo(const UvCase& c, std::ostream* out) {
+  *out << c.name;
+}
 
 /// A second set whose seams cross those of the first one, and a third of one chart of the upper half.
 TexturedTriangles with_sets(TexturedTriangles s, double middle) {
@@ -102,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Made, SeveralSets,
                          [](const auto& p) {
                            return std::get<0>(p.param).name +
                                   std::to_string(std::lround(1000 * std::get<1>(p.param))) +
-                                  (std::get<2>(p.param) == DecimateCost::length ? "Length" : "Quadric");
+                                  name_of(std::get<2>(p.param));
                          });
 
 // On a plane, affine maps of both sets must stay true: whatever one of them wants, the other follows.

@@ -12,6 +12,7 @@
 #include "multimesh/algorithms/decimation/witnesses.hpp"
 #include "multimesh/closest_point.hpp"
 #include "multimesh/validate.hpp"
+#include "test/algorithms/decimate_cost_name.hpp"
 #include "test/algorithms/made_surface.hpp"
 #include "test/algorithms/rich_surface.hpp"
 
@@ -250,9 +251,7 @@ TEST_P(MaximalError, OfZeroKeepsToPlanes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cost, MaximalError, ::testing::Values(DecimateCost::quadric, DecimateCost::length),
-                         [](const auto& p) {
-                           return p.param == DecimateCost::length ? "Length" : "Quadric";
-                         });
+                         [](const auto& p) { return name_of(p.param); });
 
 TEST(Witnesses, ListsAgreeWithSetsAfterManyChanges) {
   using decimation::Witnesses;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <ostream>
 #include <random>
 #include <string>
 
@@ -27,6 +28,10 @@ enum class TreeKind {
 inline constexpr int kNumberOfTreeKinds = 10;
 
 std::string to_string(TreeKind kind);
+/// Found by GoogleTest, which prints the bytes of a parameter otherwise.
+inline void PrintTo(TreeKind kind, std::ostream* out) {
+  *out << to_string(kind);
+}
 std::string to_string(Surface kind);
 
 struct TreeOptions {
