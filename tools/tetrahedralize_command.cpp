@@ -66,6 +66,7 @@ TaggedTetrahedra fill(const TetrahedralizeArguments& a, DomainFile& file) {
   if (soup.simplices[2].size() == 0) throw InputError(a.input + ": has no triangle");
   const FacetList triangles = joined_triangles(soup, file.warnings);
   tetgen::Tetrahedralization filled = tetgen::tetrahedralize(soup.points, triangles, tetgen_options(a, file));
+  file.warnings.insert(file.warnings.end(), filled.warnings.begin(), filled.warnings.end());
   TaggedTetrahedra t;
   t.points = std::move(filled.points);
   t.tets = std::move(filled.tets);

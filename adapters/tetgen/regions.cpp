@@ -21,14 +21,9 @@ using Corners = std::array<Index, 3>;
                     "TetGen's result is not a filling of the surface: " + what);
 }
 
-/// Sorts three corners; true if that is an even permutation.
-bool sort_corners(Corners& c) {
-  bool even = true;
-  const auto order = [&](std::size_t i, std::size_t j) {
-    if (c[i] > c[j]) std::swap(c[i], c[j]), even = !even;
-  };
-  order(0, 1), order(1, 2), order(0, 1);
-  return even;
+/// How the input calls a facet.
+std::string triangle_name(const Facets& facets, Index facet) {
+  return std::to_string(facets.sources_of(facet)[0].triangle);
 }
 
 /// One side of a face: the tetrahedron there, and whether its outward orientation is the sorted one.
@@ -54,28 +49,29 @@ std::vector<Side> sorted_sides(const RawTetrahedra& raw) {
   return sides;
 }
 
-/// A face on the surface: sorted corners, and whether these have the orientation of the triangle.
+/// A face on a facet: sorted corners, and whether these have the orientation of the facet.
 struct Patch {
   Corners key{};
-  Index triangle = 0;
+  Index facet = 0;
   bool even = false;
 };
 
-/// Gives each face of the result that is on the surface its triangle's orientation.
-std::vector<Patch> sorted_patches(const RawTetrahedra& raw, std::span<const Index> corners,
-                                  bool split_surface) {
+/// Gives each face of the result that is on a facet that facet's orientation.
+std::vector<Patch> sorted_patches(const RawTetrahedra& raw, const Facets& facets, bool split_surface) {
   std::vector<Patch> patches;
   patches.reserve(raw.faces.size());
   for (const RawTetrahedra::Face& face : raw.faces) {
-    if (face.triangle >= corners.size() / 3) fail("a face has no triangle");
+    if (face.triangle == no_index) continue;  // of the convex hull only
+    if (face.triangle >= facets.size()) fail("a face has no triangle");
     Patch patch{face.corners, face.triangle, false};
     sort_corners(patch.key);
-    Corners own{corners[3 * face.triangle], corners[3 * face.triangle + 1], corners[3 * face.triangle + 2]};
+    Corners own = facets.facet(face.triangle);
     if (split_surface) {
       patch.even = dot(area_vector(raw.points, patch.key), area_vector(raw.points, own)) > 0;
     } else {
       patch.even = sort_corners(own);
-      if (own != patch.key) fail("triangle " + std::to_string(face.triangle) + " is not one of its faces");
+      if (own != patch.key)
+        fail("triangle " + triangle_name(facets, face.triangle) + " is not one of its faces");
     }
     patches.push_back(patch);
   }
@@ -85,10 +81,10 @@ std::vector<Patch> sorted_patches(const RawTetrahedra& raw, std::span<const Inde
 
 /// What a patch separates: nodes are tetrahedra, the last one is the outside.
 struct Link {
-  Index inside = 0, outside = 0;
+  Index behind = 0, before = 0, facet = 0;
 };
 
-/// Goes over all faces. Joins tetrahedra that no patch separates; gives what the patches separate.
+/// Goes over all faces. Joins what no patch separates; gives what the patches separate.
 std::vector<Link> link_sides(const std::vector<Side>& sides, const std::vector<Patch>& patches, Index outside,
                              UnionFind& joined) {
   std::vector<Link> links;
@@ -101,12 +97,10 @@ std::vector<Link> link_sides(const std::vector<Side>& sides, const std::vector<P
       fail("tetrahedra overlap at a face");
     const Index other = end - i == 2 ? sides[i + 1].tet() : outside;
     if (patch != patches.end() && patch->key == sides[i].key) {
-      // The tetrahedron behind the triangle is the one whose outward orientation is the triangle's.
-      const bool is_inside = sides[i].even() == patch->even;
-      links.push_back(is_inside ? Link{sides[i].tet(), other} : Link{other, sides[i].tet()});
+      // The tetrahedron behind the facet is the one whose outward orientation is the facet's.
+      const bool is_behind = sides[i].even() == patch->even;
+      links.push_back({is_behind ? sides[i].tet() : other, is_behind ? other : sides[i].tet(), patch->facet});
       ++patch;
-    } else if (other == outside) {
-      fail("a face at its border is not on the surface");
     } else {
       joined.join(sides[i].tet(), other);
     }
@@ -116,39 +110,7 @@ std::vector<Link> link_sides(const std::vector<Side>& sides, const std::vector<P
   return links;
 }
 
-/// Follows the links from the outside, where the winding number is 0.
-std::vector<int> winding_numbers(const std::vector<Link>& links, std::size_t regions) {
-  std::vector<std::vector<std::pair<Index, int>>> next(regions + 1);
-  for (const Link& link : links) {
-    next[link.inside].push_back({link.outside, -1});
-    next[link.outside].push_back({link.inside, 1});
-  }
-  std::vector<int> winding(regions + 1, 0);
-  std::vector<bool> reached(regions + 1, false);
-  std::vector<Index> queue{static_cast<Index>(regions)};
-  reached[regions] = true;
-  for (std::size_t q = 0; q < queue.size(); ++q)
-    for (const auto& [to, step] : next[queue[q]]) {
-      if (!reached[to]) winding[to] = winding[queue[q]] + step, queue.push_back(to), reached[to] = true;
-      if (winding[to] != winding[queue[q]] + step) fail("a region has two winding numbers");
-    }
-  if (queue.size() != regions + 1) fail("a region is separated from the outside by no triangle");
-  winding.pop_back();
-  return winding;
-}
-
-void check_volumes(const Regions& regions, long double enclosed) {
-  long double wound = 0, all = 0;
-  for (std::size_t r = 0; r < regions.winding.size(); ++r) {
-    wound += regions.winding[r] * regions.volume[r];
-    all += std::abs(regions.winding[r]) * regions.volume[r];
-  }
-  if (!(std::abs(wound - enclosed) <= 1e-9L * all))
-    fail("its volume is " + std::to_string(static_cast<double>(wound)) + " instead of " +
-         std::to_string(static_cast<double>(enclosed)));
-}
-
-void check_corners(const RawTetrahedra& raw) {
+void check_raw(const RawTetrahedra& raw) {
   const auto is_point = [&](Index v) { return v < raw.points.size(); };
   for (const auto& tet : raw.tets)
     if (!std::all_of(tet.begin(), tet.end(), is_point)) fail("a corner is not one of its points");
@@ -157,46 +119,109 @@ void check_corners(const RawTetrahedra& raw) {
       fail("a corner is not one of its points");
   constexpr std::size_t most = no_index / 2;
   if (raw.tets.empty() || raw.tets.size() >= most) fail("it has no tetrahedra, or too many");
+  for (std::size_t t = 0; t < raw.tets.size(); ++t)
+    if (!(volume_of(raw.points, raw.tets[t]) > -least_volume(raw.points, raw.tets[t])))
+      fail("tetrahedron " + std::to_string(t) + " is not positive");
+}
+
+/// Numbers the sets of tetrahedra in the order in which facets meet them; the outside gets no number.
+class Numbering {
+ public:
+  Numbering(UnionFind& joined, Index outside) : joined_(joined), number_(std::size_t{outside} + 1, no_index) {
+    outside_ = joined_.find(outside);
+  }
+  Index number(Index node) {
+    const Index set = joined_.find(node);
+    if (set == outside_) return no_index;
+    if (number_[set] == no_index) number_[set] = count_++;
+    return number_[set];
+  }
+  Index count() const { return count_; }
+
+ private:
+  UnionFind& joined_;
+  std::vector<Index> number_;
+  Index outside_ = 0, count_ = 0;
+};
+
+std::vector<Sides> find_sides(std::vector<Link>& links, const Facets& facets, Numbering& numbering) {
+  std::stable_sort(links.begin(), links.end(),
+                   [](const Link& a, const Link& b) { return a.facet < b.facet; });
+  std::vector<Sides> sides(facets.size());
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Sides own{numbering.number(links[i].behind), numbering.number(links[i].before)};
+    const bool is_first = i == 0 || links[i - 1].facet != links[i].facet;
+    if (!is_first && sides[links[i].facet] != own)
+      fail("triangle " + triangle_name(facets, links[i].facet) + " goes through a region's border");
+    sides[links[i].facet] = own;
+  }
+  return sides;
+}
+
+std::vector<FacetFace> oriented_faces(const std::vector<Patch>& patches) {
+  std::vector<FacetFace> faces;
+  faces.reserve(patches.size());
+  for (const Patch& p : patches)
+    faces.push_back({p.even ? p.key : Corners{p.key[1], p.key[0], p.key[2]}, p.facet});
+  std::sort(faces.begin(), faces.end(), [](const FacetFace& a, const FacetFace& b) {
+    return std::tie(a.facet, a.corners) < std::tie(b.facet, b.corners);
+  });
+  return faces;
+}
+
+void check_covered(const RawTetrahedra& raw, const Facets& facets, const Regions& regions,
+                   const std::vector<bool>& may_be_missing) {
+  const long double extent = diagonal(raw.points);
+  auto face = regions.faces.begin();
+  for (Index f = 0; f < facets.size(); ++f) {
+    std::vector<Corners> parts;
+    for (; face != regions.faces.end() && face->facet == f; ++face) parts.push_back(face->corners);
+    if (parts.empty() && !may_be_missing.empty() && may_be_missing[f]) continue;
+    if (!is_covered(raw.points, facets.facet(f), parts, extent))
+      fail("triangle " + triangle_name(facets, f) + " is not covered by its faces");
+  }
+}
+
+void check_volumes(const RawTetrahedra& raw, const Facets& facets, const Regions& regions) {
+  std::vector<long double> enclosed(regions.volume.size(), 0);
+  long double all = 0;
+  for (Index f = 0; f < facets.size(); ++f) {
+    const auto [behind, before] = regions.sides[f];
+    if (behind == before) continue;
+    // Seen from a point of the surface; from far away, the terms would be large and cancel.
+    const long double cone = cone_volume(raw.points, facets.facet(f), raw.points[facets.corners[0]]);
+    if (behind != no_index) enclosed[behind] += cone;
+    if (before != no_index) enclosed[before] -= cone;
+  }
+  for (const long double v : regions.volume) all += v;
+  for (std::size_t r = 0; r < enclosed.size(); ++r)
+    if (!(std::abs(regions.volume[r] - enclosed[r]) <= 1e-9L * all))
+      fail("the volume of a region is " + std::to_string(static_cast<double>(regions.volume[r])) +
+           " instead of " + std::to_string(static_cast<double>(enclosed[r])));
 }
 
 }  // namespace
 
-Regions find_regions(const RawTetrahedra& raw, std::span<const Index> corners, bool split_surface) {
-  check_corners(raw);
-  const std::vector<Patch> patches = sorted_patches(raw, corners, split_surface);
+Regions find_regions(const RawTetrahedra& raw, const Facets& facets, const RegionOptions& options) {
+  check_raw(raw);
+  const std::vector<Patch> patches = sorted_patches(raw, facets, options.split_surface);
   const auto outside = static_cast<Index>(raw.tets.size());
-  UnionFind joined(raw.tets.size());
+  UnionFind joined(raw.tets.size() + 1);
   std::vector<Link> links = link_sides(sorted_sides(raw), patches, outside, joined);
 
   Regions regions;
-  regions.of_tet.resize(raw.tets.size());
-  std::vector<Index> number(raw.tets.size() + 1, no_index);
+  Numbering numbering(joined, outside);
+  regions.sides = find_sides(links, facets, numbering);
+  regions.faces = oriented_faces(patches);
+  regions.volume.assign(numbering.count(), 0);
   for (Index t = 0; t < raw.tets.size(); ++t) {
-    Index& region = number[joined.find(t)];
-    if (region == no_index) region = static_cast<Index>(regions.volume.size()), regions.volume.push_back(0);
-    regions.of_tet[t] = region;
-    const long double volume = volume_of(raw.points, raw.tets[t]);
-    if (!(volume > -least_volume(raw.points, raw.tets[t])))
-      fail("tetrahedron " + std::to_string(t) + " is not positive");
-    regions.volume[region] += volume;
+    regions.of_tet.push_back(numbering.number(t));
+    if (numbering.count() > regions.volume.size()) fail("a region is bounded by no triangle");
+    if (regions.of_tet[t] != no_index)
+      regions.volume[regions.of_tet[t]] += volume_of(raw.points, raw.tets[t]);
   }
-  const auto regions_size = regions.volume.size();
-  const auto region_of = [&](Index tet) {
-    return tet == outside ? static_cast<Index>(regions_size) : regions.of_tet[tet];
-  };
-  for (Link& link : links) link = {region_of(link.inside), region_of(link.outside)};
-  regions.winding = winding_numbers(links, regions_size);
-  check_volumes(regions, enclosed_volume(raw.points, corners));
-
-  for (const Patch& p : patches) {
-    const Corners& c = p.key;
-    regions.faces.push_back({p.even ? c : Corners{c[1], c[0], c[2]}, p.triangle});
-  }
-  std::sort(regions.faces.begin(), regions.faces.end(), [](const SurfaceFace& a, const SurfaceFace& b) {
-    return std::tie(a.triangle, a.corners) < std::tie(b.triangle, b.corners);
-  });
-  if (const Index missing = first_uncovered(raw.points, corners, regions.faces); missing != no_index)
-    fail("triangle " + std::to_string(missing) + " is not covered by its faces");
+  check_covered(raw, facets, regions, options.may_be_missing);
+  check_volumes(raw, facets, regions);
   return regions;
 }
 

@@ -1,26 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <span>
+#include <array>
 #include <vector>
 
-#include "adapters/tetgen/tetrahedralize.hpp"
+#include "adapters/tetgen/facets.hpp"
 #include "adapters/tetgen/worker_call.hpp"
 
 namespace multimesh::tetgen {
 
-/// The parts into which a surface cuts tetrahedra.
-struct Regions {
-  std::vector<Index> of_tet;        ///< numbered by their first tetrahedron
-  std::vector<int> winding;         ///< per region
-  std::vector<long double> volume;  ///< per region
-  std::vector<SurfaceFace> faces;   ///< by ascending triangle
+/// A face of the tetrahedra on a facet, oriented like it.
+struct FacetFace {
+  std::array<Index, 3> corners{};
+  Index facet = no_index;
 };
 
-/// Finds the regions, and verifies what TetGen made of the triangles: tetrahedra are positive and meet in
-/// faces, triangles are faces or, when the surface may be split, covered by faces; nothing else bounds the
-/// tetrahedra; the volumes, times the winding numbers, are what the surface encloses. Cost: sorting the
-/// faces. \throw WorkerError (bad_result)
-Regions find_regions(const RawTetrahedra& raw, std::span<const Index> corners, bool split_surface);
+/// The parts into which facets cut space.
+struct Regions {
+  /// Per tetrahedron; no_index: outside. Numbered by their first facet, the one behind it first.
+  std::vector<Index> of_tet;
+  std::vector<long double> volume;  ///< per region
+  std::vector<Sides> sides;         ///< per facet
+  std::vector<FacetFace> faces;     ///< by ascending facet
+};
+
+struct RegionOptions {
+  bool split_surface = false;  ///< facets may be covered by several faces
+  /// Facets that may have no face, because what is on both their sides was left out; empty: none.
+  std::vector<bool> may_be_missing{};
+};
+
+/// Finds the regions: what can be reached from the border of the tetrahedra without crossing a facet is the
+/// outside. Verifies what TetGen made of the facets: tetrahedra are positive and meet in faces, facets are
+/// faces or, when they may be split, covered by faces; a facet has one region on each side; regions have the
+/// volume that their facets enclose. Cost: sorting the faces. \throw WorkerError (bad_result)
+Regions find_regions(const RawTetrahedra& raw, const Facets& facets, const RegionOptions& options);
 
 }  // namespace multimesh::tetgen

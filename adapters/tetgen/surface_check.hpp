@@ -2,15 +2,18 @@
 #pragma once
 
 #include <span>
+#include <string>
 
-#include "adapters/tetgen/tetrahedra.hpp"
+#include "adapters/tetgen/facets.hpp"
 
 namespace multimesh::tetgen {
 
-/// Whether the triangles bound a volume, as far as it can be told without looking for intersections: points
-/// that are used are finite and distinct, triangles have area and differ, every edge has just two of them,
-/// which agree in their orientation. Cost: sorting. \throw InputError naming the first element that is wrong,
+/// Whether triangles can be tetrahedralized, as far as their points tell: these are there, finite, distinct
+/// and extend over three axes. Cost: sorting. \throw InputError naming the first element that is wrong,
 /// numbers counted from 0
-void check_closed_surface(std::span<const Point> points, const FacetList& triangles);
+void check_points(std::span<const Point> points, const FacetList& triangles);
+
+/// Where facets do not close up, in words: an edge with one facet only; empty if there is none.
+std::string first_open_edge(const Facets& facets);
 
 }  // namespace multimesh::tetgen

@@ -42,39 +42,36 @@ long double least_volume(std::span<const Point> points, const std::array<Index, 
   return 16 * std::numeric_limits<long double>::epsilon() * product;
 }
 
-long double enclosed_volume(std::span<const Point> points, std::span<const Index> corners) {
-  // Seen from a point of the surface; from far away, the terms would be large and cancel.
-  const Point& origin = points[corners[0]];
-  long double sum = 0;
-  for (std::size_t i = 0; i < corners.size(); i += 3)
-    sum += dot(cross(minus(points[corners[i]], origin), minus(points[corners[i + 1]], origin)),
-               minus(points[corners[i + 2]], origin));
-  return sum / 6;
+bool has_area(std::span<const Point> points, const std::array<Index, 3>& c) {
+  const LongVector u = minus(points[c[1]], points[c[0]]), v = minus(points[c[2]], points[c[0]]);
+  return length(cross(u, v)) > 4 * std::numeric_limits<long double>::epsilon() * length(u) * length(v);
 }
 
-Index first_uncovered(std::span<const Point> points, std::span<const Index> corners,
-                      std::span<const SurfaceFace> faces) {
+long double cone_volume(std::span<const Point> points, const std::array<Index, 3>& c, const Point& origin) {
+  return dot(cross(minus(points[c[0]], origin), minus(points[c[1]], origin)), minus(points[c[2]], origin)) /
+         6;
+}
+
+long double diagonal(std::span<const Point> points) {
   Point low = points[0], high = low;
   for (const Point& p : points)
     for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
-  const long double diagonal = length(minus(high, low));
+  return length(minus(high, low));
+}
 
-  auto face = faces.begin();
-  for (Index t = 0; t < corners.size() / 3; ++t) {
-    const std::array<Index, 3> own{corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};
-    const LongVector area = area_vector(points, own);
-    LongVector rest = area;
-    for (; face != faces.end() && face->triangle == t; ++face) {
-      const LongVector part = area_vector(points, face->corners);
-      for (std::size_t i = 0; i < 3; ++i) rest[i] -= part[i];
-    }
-    // Points that split a triangle are on it up to the precision of coordinates: for needles, that is much.
-    long double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(longest, length(minus(points[own[k]], points[own[(k + 1) % 3]])));
-    if (!(length(rest) <= 1e-9L * length(area) + 1e-13L * longest * diagonal)) return t;
+bool is_covered(std::span<const Point> points, const std::array<Index, 3>& triangle,
+                std::span<const std::array<Index, 3>> parts, long double diagonal) {
+  const LongVector area = area_vector(points, triangle);
+  LongVector rest = area;
+  for (const auto& part : parts) {
+    const LongVector covered = area_vector(points, part);
+    for (std::size_t i = 0; i < 3; ++i) rest[i] -= covered[i];
   }
-  return no_index;
+  // Points that split a triangle are on it up to the precision of coordinates: for needles, that is much.
+  long double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, length(minus(points[triangle[k]], points[triangle[(k + 1) % 3]])));
+  return length(rest) <= 1e-9L * length(area) + 1e-13L * longest * diagonal;
 }
 
 }  // namespace multimesh::tetgen

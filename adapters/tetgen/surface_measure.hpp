@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "adapters/tetgen/tetrahedralize.hpp"
+#include "adapters/tetgen/tetrahedra.hpp"
 
 namespace multimesh::tetgen {
 
@@ -21,12 +21,20 @@ long double volume_of(std::span<const Point> points, const std::array<Index, 4>&
 /// A bound of the rounding error of volume_of().
 long double least_volume(std::span<const Point> points, const std::array<Index, 4>& corners);
 
-/// The volume that triangles enclose, \#F x 3 corners; regions count as often as the surface goes round them.
-long double enclosed_volume(std::span<const Point> points, std::span<const Index> corners);
+/// Whether the corners are not on one line, up to the roundings of this test.
+bool has_area(std::span<const Point> points, const std::array<Index, 3>& corners);
 
-/// The first triangle whose faces, which follow each other, do not have its area and direction in sum;
-/// no_index: none.
-Index first_uncovered(std::span<const Point> points, std::span<const Index> corners,
-                      std::span<const SurfaceFace> faces);
+/// The volume of the tetrahedron between a triangle and a point, with its sign: positive if the normal points
+/// away from it. Over all triangles around a region, the volume that they enclose.
+long double cone_volume(std::span<const Point> points, const std::array<Index, 3>& corners,
+                        const Point& origin);
+
+/// The length of the diagonal of the points' bounding box.
+long double diagonal(std::span<const Point> points);
+
+/// Whether the parts have the area and direction of the triangle in sum. `diagonal` is the extent of all
+/// points, to which they are rounded.
+bool is_covered(std::span<const Point> points, const std::array<Index, 3>& triangle,
+                std::span<const std::array<Index, 3>> parts, long double diagonal);
 
 }  // namespace multimesh::tetgen

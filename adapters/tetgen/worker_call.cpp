@@ -62,16 +62,22 @@ std::string quoted(const std::string& log) {
   return words.empty() ? "" : " (it printed: " + words + ")";
 }
 
-FileDescriptor write_request(RequestHeader header, std::span<const Point> points,
-                             std::span<const Index> corners, const std::string& switches) {
-  header.points = points.size(), header.triangles = corners.size() / 3;
+FileDescriptor write_request(RequestHeader header, const WorkerInput& input, const std::string& switches) {
+  header.points = input.points.size(), header.triangles = input.corners.size() / 3;
+  header.holes = input.holes.size();
   if (switches.size() >= sizeof header.switches)
     throw WorkerError(Reason::stopped, "too many switches for TetGen: " + switches);
   std::memcpy(header.switches, switches.c_str(), switches.size() + 1);
   FileDescriptor file = anonymous_file();
-  if (!write_at(file.get(), &header, sizeof header, 0) ||
-      !write_at(file.get(), points.data(), points.size_bytes(), sizeof header) ||
-      !write_at(file.get(), corners.data(), corners.size_bytes(), sizeof header + points.size_bytes()))
+  std::uint64_t offset = 0;
+  const auto write = [&](const void* data, std::size_t size) {
+    const bool written = write_at(file.get(), data, size, offset);
+    offset += size;
+    return written;
+  };
+  if (!write(&header, sizeof header) || !write(input.points.data(), input.points.size_bytes()) ||
+      !write(input.corners.data(), input.corners.size_bytes()) ||
+      !write(input.holes.data(), input.holes.size_bytes()))
     throw WorkerError(Reason::memory, "no space left to hand the surface to the TetGen worker");
   return file;
 }
@@ -83,7 +89,9 @@ FileDescriptor write_request(RequestHeader header, std::span<const Point> points
   if (end.how == How::timed_out)
     throw WorkerError(
         Reason::time_out,
-        "TetGen did not end within the time limit, which may be too short for this surface" + log);
+        "TetGen did not end within the time limit, which may be too short for this surface, or TetGen does "
+        "not end on it at all" +
+            log);
   const Outcome outcome = reply ? reply->outcome : Outcome::done;
   if (outcome == Outcome::out_of_memory || (outcome == Outcome::stopped && reply->detail == 1))
     throw WorkerError(Reason::memory, "TetGen ran out of memory" + log);
@@ -115,9 +123,9 @@ struct Reply {
   std::vector<std::array<Index, 2>> pairs;
 };
 
-Reply run(const RequestHeader& header, std::span<const Point> points, std::span<const Index> corners,
-          const std::string& switches, const WorkerOptions& options) {
-  const FileDescriptor request = write_request(header, points, corners, switches), file = anonymous_file();
+Reply run(const RequestHeader& header, const WorkerInput& input, const std::string& switches,
+          const WorkerOptions& options) {
+  const FileDescriptor request = write_request(header, input, switches), file = anonymous_file();
   const WorkerEnd end = run_worker(options.program, request, file, options.deadline);
 
   ReplyHeader h;
@@ -147,22 +155,20 @@ Reply run(const RequestHeader& header, std::span<const Point> points, std::span<
 
 }  // namespace
 
-RawTetrahedra call_worker(std::span<const Point> points, std::span<const Index> corners,
-                          const std::string& switches, const WorkerOptions& options) {
+RawTetrahedra call_worker(const WorkerInput& input, const std::string& switches,
+                          const WorkerOptions& options) {
   RequestHeader header;
   header.memory_limit = options.memory_limit;
-  return run(header, points, corners, switches, options).tetrahedra;
+  return run(header, input, switches, options).tetrahedra;
 }
 
-std::vector<std::array<Index, 2>> find_intersections(std::span<const Point> points,
-                                                     std::span<const Index> corners,
-                                                     const WorkerOptions& options) {
+std::vector<std::array<Index, 2>> find_intersections(const WorkerInput& input, const WorkerOptions& options) {
   RequestHeader header;
   header.task = Task::find_intersections;
   header.memory_limit = options.memory_limit;
-  std::vector<std::array<Index, 2>> pairs = run(header, points, corners, "pdQ", options).pairs;
-  std::erase_if(pairs,
-                [&](const auto& p) { return p[0] >= corners.size() / 3 || p[1] >= corners.size() / 3; });
+  std::vector<std::array<Index, 2>> pairs = run(header, input, "pdQ", options).pairs;
+  const std::size_t triangles = input.corners.size() / 3;
+  std::erase_if(pairs, [&](const auto& p) { return p[0] >= triangles || p[1] >= triangles; });
   return pairs;
 }
 

@@ -25,18 +25,23 @@ struct RawTetrahedra {
   std::vector<std::array<Index, 4>> tets;
   struct Face {
     std::array<Index, 3> corners;
-    Index triangle;
+    Index triangle;  ///< no_index: none, at the border
   };
-  std::vector<Face> faces;  ///< on the surface, in no order or orientation
+  std::vector<Face> faces;  ///< on the surface and at the border, in no order or orientation
+};
+
+/// What a worker gets.
+struct WorkerInput {
+  std::span<const Point> points;
+  std::span<const Index> corners;  ///< of triangles, \#F x 3
+  std::span<const Point> holes{};  ///< a point in each region that is to be left empty
 };
 
 /// Has a worker tetrahedralize a surface with these switches of TetGen. \throw WorkerError
-RawTetrahedra call_worker(std::span<const Point> points, std::span<const Index> corners,
-                          const std::string& switches, const WorkerOptions& options);
+RawTetrahedra call_worker(const WorkerInput& input, const std::string& switches,
+                          const WorkerOptions& options);
 
 /// Has a worker look for triangles that intersect others, and returns the first pairs. \throw WorkerError
-std::vector<std::array<Index, 2>> find_intersections(std::span<const Point> points,
-                                                     std::span<const Index> corners,
-                                                     const WorkerOptions& options);
+std::vector<std::array<Index, 2>> find_intersections(const WorkerInput& input, const WorkerOptions& options);
 
 }  // namespace multimesh::tetgen

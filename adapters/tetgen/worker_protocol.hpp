@@ -7,11 +7,12 @@ namespace multimesh::tetgen {
 
 // What the library and its worker tell each other, through two files that both have open. Both are of the
 // same build and on the same machine: plain structs, native byte order. A request is its header, points (3
-// doubles each) and triangles (3 Index each). A reply is its header, points, tetrahedra (4 Index), faces (3
-// Index and the triangle), pairs of triangles that intersect (2 Index). The reply's header is written last,
-// so that a worker that ends early leaves none, or the one that its failure handlers write.
+// doubles each), triangles (3 Index each) and a point in each hole. A reply is its header, points, tetrahedra
+// (4 Index), faces (3 Index and the triangle, or no_index), pairs of triangles that intersect (2 Index). The
+// reply's header is written last, so that a worker that ends early leaves none, or the one that its failure
+// handlers write.
 
-inline constexpr std::uint64_t request_magic = 0x3152'5447'4d4d'0001;  // changes with the structs below
+inline constexpr std::uint64_t request_magic = 0x3152'5447'4d4d'0002;  // changes with the structs below
 inline constexpr std::uint64_t reply_magic = 0x3153'5447'4d4d'0001;
 
 /// Where the worker has its files. Its log, standard output and error, is a pipe whose other end the library
@@ -24,7 +25,7 @@ struct RequestHeader {
   std::uint64_t magic = request_magic;
   Task task = Task::tetrahedralize;
   std::uint32_t unused = 0;
-  std::uint64_t points = 0, triangles = 0;
+  std::uint64_t points = 0, triangles = 0, holes = 0;
   std::uint64_t memory_limit = 0;  ///< bytes; 0: none
   char switches[128] = {};         ///< TetGen's, ended by a zero
 };

@@ -48,9 +48,11 @@ worker::Request read_request() {
   h.switches[sizeof h.switches - 1] = 0;
   limit_memory(h.memory_limit);
   request.points.resize(h.points), request.triangles.resize(h.triangles);
-  const std::uint64_t points_end = sizeof h + h.points * 24;
+  request.holes.resize(h.holes);
+  const std::uint64_t points_end = sizeof h + h.points * 24, triangles_end = points_end + h.triangles * 12;
   if (!read_at(request_file, request.points.data(), h.points * 24, sizeof h) ||
-      !read_at(request_file, request.triangles.data(), h.triangles * 12, points_end))
+      !read_at(request_file, request.triangles.data(), h.triangles * 12, points_end) ||
+      !read_at(request_file, request.holes.data(), h.holes * 24, triangles_end))
     worker::fail(Outcome::bad_request);
   for (const auto& triangle : request.triangles)
     for (const multimesh::Index v : triangle)

@@ -14,6 +14,7 @@ struct Request {
   RequestHeader header;
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::array<double, 3>> holes;
 };
 
 }  // namespace multimesh::tetgen::worker

@@ -33,6 +33,11 @@ void fill(::tetgenio& in, const Request& request) {
       facet.polygonlist[0].vertexlist[k] = static_cast<int>(request.triangles[t][k]);
     in.facetmarkerlist[t] = static_cast<int>(t) + 1;
   }
+
+  in.numberofholes = static_cast<int>(request.holes.size());
+  in.holelist = new REAL[request.holes.size() * 3];
+  for (std::size_t i = 0; i < request.holes.size(); ++i)
+    std::copy_n(request.holes[i].data(), 3, in.holelist + 3 * i);
 }
 
 /// Turns tetrahedra round that are negative. TetGen's predicate is exact; it is below 0 for what we call
@@ -79,7 +84,8 @@ void tetrahedralize(Request& request) {
   std::vector<std::array<int, 4>> faces(header.faces);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     std::copy_n(out.trifacelist + 3 * f, 3, faces[f].data());
-    faces[f][3] = out.trifacemarkerlist[f] - 1;
+    // Those of the convex hull that are on no triangle have the marker 0, or a negative one.
+    faces[f][3] = std::max(out.trifacemarkerlist[f], 0) - 1;
   }
   ReplyWriter reply;
   reply.add(out.pointlist, header.points * 3 * sizeof(REAL));

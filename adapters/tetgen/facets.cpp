@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/tetgen/facets.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "adapters/tetgen/flat_triangles.hpp"
+#include "adapters/tetgen/surface_measure.hpp"
+
+namespace multimesh::tetgen {
+
+namespace {
+
+using Corners = std::array<Index, 3>;
+
+/// A piece of a triangle of the input; usually all of it.
+struct Piece {
+  Corners corners{}, key{};
+  Index triangle = 0;
+  bool even = false;  ///< the key has the orientation of the corners
+};
+
+Piece make_piece(const Corners& corners, Index triangle) {
+  Piece piece{corners, corners, triangle, false};
+  piece.even = sort_corners(piece.key);
+  return piece;
+}
+
+/// Cuts a triangle at the points that lie on its edges. What is cut first depends on the numbers of points
+/// only: two triangles with the same corners get the same pieces.
+void cut(const FlatTriangles& flat, const Corners& c, std::vector<Corners>& out) {
+  std::size_t best = 3;
+  std::array<Index, 2> least{no_index, no_index};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::array<Index, 2> edge{std::min(c[k], c[(k + 1) % 3]), std::max(c[k], c[(k + 1) % 3])};
+    if (edge < least && !flat.points_on(edge[0], edge[1]).empty()) best = k, least = edge;
+  }
+  if (best == 3) return out.push_back(c);
+  const Index x = flat.points_on(least[0], least[1]).front();
+  const Index a = c[best], b = c[(best + 1) % 3], apex = c[(best + 2) % 3];
+  cut(flat, {a, x, apex}, out);
+  cut(flat, {x, b, apex}, out);
+}
+
+std::vector<Piece> make_pieces(std::span<const Point> points, const FacetList& triangles, Facets& counts) {
+  std::vector<Piece> pieces;
+  std::vector<Corners> without_area;
+  for (Index t = 0; t < triangles.size(); ++t) {
+    const auto facet = triangles.facet(t);
+    const Corners c{facet[0], facet[1], facet[2]};
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
+      ++counts.collapsed;
+    else if (!has_area(points, c))
+      without_area.push_back(c);
+    else
+      pieces.push_back(make_piece(c, t));
+  }
+  counts.flat = without_area.size();
+  if (without_area.empty()) return pieces;
+
+  std::vector<bool> used(points.size(), false);
+  for (const Piece& p : pieces)
+    for (const Index v : p.corners) used[v] = true;
+  const FlatTriangles flat(points, without_area, used);
+  std::vector<Piece> all;
+  for (const Piece& p : pieces) {
+    std::vector<Corners> parts;
+    cut(flat, p.corners, parts);
+    counts.split += parts.size() > 1;
+    for (const Corners& part : parts) all.push_back(make_piece(part, p.triangle));
+  }
+  return all;
+}
+
+}  // namespace
+
+bool sort_corners(std::array<Index, 3>& c) {
+  bool even = true;
+  const auto order = [&](std::size_t i, std::size_t j) {
+    if (c[i] > c[j]) std::swap(c[i], c[j]), even = !even;
+  };
+  order(0, 1), order(1, 2), order(0, 1);
+  return even;
+}
+
+Facets make_facets(std::span<const Point> points, const FacetList& triangles) {
+  Facets facets;
+  const std::vector<Piece> pieces = make_pieces(points, triangles, facets);
+  // Pieces are in the order of their triangles; `first` has those with equal corners side by side.
+  std::vector<Index> by_key(pieces.size());
+  std::iota(by_key.begin(), by_key.end(), Index{0});
+  std::sort(by_key.begin(), by_key.end(), [&](Index a, Index b) {
+    return pieces[a].key != pieces[b].key ? pieces[a].key < pieces[b].key : a < b;
+  });
+  std::vector<std::span<const Index>> groups;
+  for (auto i = by_key.begin(); i != by_key.end();) {
+    const auto end = std::find_if(i, by_key.end(), [&](Index p) { return pieces[p].key != pieces[*i].key; });
+    groups.emplace_back(i, end);
+    i = end;
+  }
+  std::sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  for (const auto& group : groups) {
+    const Piece& first = pieces[group[0]];
+    facets.corners.insert(facets.corners.end(), first.corners.begin(), first.corners.end());
+    for (const Index p : group) facets.sources.push_back({pieces[p].triangle, pieces[p].even != first.even});
+    facets.begin.push_back(static_cast<Index>(facets.sources.size()));
+  }
+  return facets;
+}
+
+}  // namespace multimesh::tetgen
