@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 
 #include "multimesh/cut.hpp"
+#include "multimesh/link_surface.hpp"
 #include "multimesh/pair_numbers.hpp"
 #include "multimesh/tet_sides.hpp"
 #include "multimesh/union_find.hpp"
@@ -157,29 +159,77 @@ class TetCutter {
     return changed;
   }
 
-  // Tetrahedra around one edge that do not hang together by faces at it: all but those of one fan.
+  // Edges around which the tetrahedra make several fans, which no face joins. One fan gets a copy of one end
+  // of the edge; which one is decided by how few faces must be parted for it. Edges with an end that another
+  // one has been treated at wait for the next round.
   bool set_fans_apart(Index edges) {
-    UnionFind fans(edge_.size());
-    Index separate = static_cast<Index>(edge_.size());
-    for (Index s = 0; s < partner_.size(); ++s) {
-      if (partner_[s] == no_index || partner_[s] < s) continue;
-      const auto from = input_corners(s), to = input_corners(partner_[s]);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Index x = edge_slot(from[i], from[(i + 1) % 3]), y = edge_slot(to[i], to[(i + 1) % 3]);
-        if (fans.find(x) == fans.find(y)) continue;
-        fans.join(x, y);
-        --separate;
-      }
-    }
-    if (separate == edges) return false;
-    std::vector<Index> fan_of(edges, no_index);
+    const Fans fans(*this, edges);
+    std::vector<bool> treated(source_.size(), false);
     bool changed = false;
-    for (Index x = 0; x < edge_.size(); ++x) {
-      Index& fan = fan_of[edge_[x]];
-      if (fan == no_index) fan = fans.find(x);
-      if (fan != fans.find(x)) changed |= take_out(x / 6);
+    for (const auto& slots : fans.of_pinched_edges()) {
+      Index ends[2] = {end(slots[0][0] / 6, slots[0][0] % 6, 0), end(slots[0][0] / 6, slots[0][0] % 6, 1)};
+      changed = true;
+      if (treated[ends[0]] || treated[ends[1]]) continue;
+      treated[ends[0]] = treated[ends[1]] = true;
+      part_cheapest_fan(slots, ends);
     }
     return changed;
+  }
+
+  /// The fans around each edge that has several, as slots of edges.
+  class Fans {
+   public:
+    Fans(const TetCutter& cutter, Index edges)
+        : cutter_(cutter), sets_(cutter.edge_.size()), fans_(edges, 0) {
+      join();
+      for (Index x = 0; x < cutter_.edge_.size(); ++x) fans_[cutter_.edge_[x]] += sets_.find(x) == x;
+    }
+    std::vector<std::vector<std::vector<Index>>> of_pinched_edges() const {
+      std::map<Index, std::map<Index, std::vector<Index>>> found;  // by edge and fan
+      for (Index x = 0; x < cutter_.edge_.size(); ++x)
+        if (fans_[cutter_.edge_[x]] > 1) found[cutter_.edge_[x]][sets_.find(x)].push_back(x);
+      std::vector<std::vector<std::vector<Index>>> list;
+      for (const auto& [edge, fans] : found) {
+        list.emplace_back();
+        for (const auto& [fan, slots] : fans) list.back().push_back(slots);
+      }
+      return list;
+    }
+
+   private:
+    void join() {
+      const auto& partner = cutter_.partner_;
+      for (Index s = 0; s < partner.size(); ++s) {
+        if (partner[s] == no_index || partner[s] < s) continue;
+        const auto from = cutter_.input_corners(s), to = cutter_.input_corners(partner[s]);
+        for (std::size_t i = 0; i < 3; ++i)
+          sets_.join(edge_slot(from[i], from[(i + 1) % 3]), edge_slot(to[i], to[(i + 1) % 3]));
+      }
+    }
+    const TetCutter& cutter_;
+    mutable UnionFind sets_;
+    std::vector<Index> fans_;  // per edge
+  };
+
+  void keep_parted(const std::vector<Index>& sides) {
+    for (const Index s : sides) parted_[s] = parted_[partner_[s]] = true;
+  }
+
+  void part_cheapest_fan(const std::vector<std::vector<Index>>& fans, const Index (&ends)[2]) {
+    std::vector<Index> cheapest, sides;
+    for (const auto& slots : fans)
+      for (const int i : {0, 1}) {
+        sides.clear();
+        for (const Index x : slots)
+          if (const Index s = corner_at(x / 6, ends[1 - i]); partner_[s] != no_index) sides.push_back(s);
+        if (cheapest.empty() || sides.size() < cheapest.size()) cheapest = sides;
+      }
+    keep_parted(cheapest);
+  }
+
+  Index corner_at(Index t, Index v) const {
+    const auto first = number_.begin() + 4 * t;
+    return static_cast<Index>(std::find(first, first + 4, v) - number_.begin());
   }
 
   // Vertices whose link is a surface other than a sphere or a disk; by then links are connected and without
@@ -212,46 +262,28 @@ class TetCutter {
       }
       corners_of_singular[list[v]].push_back(c);
     }
-    for (const auto& corners : corners_of_singular) part_a_disk(corners);
+    for (const auto& corners : corners_of_singular) keep_parted(sides_to_part(link(corners)));
     return !corners_of_singular.empty();
   }
 
-  // Cuts a disk out of the link of a vertex: its tetrahedra are parted from the others there, and so get a
-  // copy of the vertex, by which their faces and edges at it differ. What is left may need another round.
-  void part_a_disk(const std::vector<Index>& corners) {
-    std::vector<Index> disk{corners.front() / 4}, rim_vertices;
-    const auto corner_at = [&](Index t) {
-      return *std::find_if(corners.begin(), corners.end(), [&](Index c) { return c / 4 == t; });
-    };
-    const auto in_disk = [&](Index t) { return std::find(disk.begin(), disk.end(), t) != disk.end(); };
-    const auto add_vertices = [&](Index t) {
-      for (Index c = 4 * t; c < 4 * t + 4; ++c)
-        if (c != corner_at(t)) rim_vertices.push_back(number_[c]);
-    };
-    add_vertices(disk.front());
-    // A triangle may join if it meets the disk in one edge and no other vertex, or in two edges.
-    const auto may_join = [&](Index t) {
-      int sides = 0, vertices = 0;
-      for (Index c = 4 * t; c < 4 * t + 4; ++c) {
-        if (c == corner_at(t)) continue;
-        sides += partner_[c] != no_index && in_disk(partner_[c] / 4);
-        vertices += std::find(rim_vertices.begin(), rim_vertices.end(), number_[c]) != rim_vertices.end();
+  /// The link of a vertex, given by all its corners, ascending.
+  std::vector<LinkTriangle> link(const std::vector<Index>& corners) const {
+    std::vector<LinkTriangle> triangles;
+    for (const Index c : corners) {
+      LinkTriangle& t = triangles.emplace_back();
+      std::size_t n = 0;
+      for (Index s = c - c % 4; s < c - c % 4 + 4; ++s) {
+        if (s == c) continue;
+        t.vertices[n] = number_[s];
+        t.sides[n] = s;
+        t.across[n++] = partner_[s] == no_index ? no_index : triangle_of(corners, partner_[s] / 4);
       }
-      return (sides == 1 && vertices == 2) || sides == 2;
-    };
-    for (bool grown = true; grown;) {
-      grown = false;
-      for (const Index c : corners)
-        if (!in_disk(c / 4) && may_join(c / 4)) {
-          disk.push_back(c / 4);
-          add_vertices(c / 4);
-          grown = true;
-        }
     }
-    for (const Index t : disk)
-      for (Index s = 4 * t; s < 4 * t + 4; ++s)
-        if (s != corner_at(t) && partner_[s] != no_index && !in_disk(partner_[s] / 4))
-          parted_[s] = parted_[partner_[s]] = true;
+    return triangles;
+  }
+
+  static Index triangle_of(const std::vector<Index>& corners, Index t) {
+    return static_cast<Index>(std::lower_bound(corners.begin(), corners.end(), 4 * t) - corners.begin());
   }
 
   static Index edge_slot(Index corner, Index other) {

@@ -19,15 +19,17 @@ Json tags_json(const Counts& counts, const char* what) {
 
 Json to_json(const DomainReport& r) {
   Json j;
-  const TetReport& t = r.tets;
+  const TetTopology& t = r.tets;
   j["tetrahedra"] = {{"vertices", t.vertices},
                      {"edges", t.edges},
                      {"faces", t.faces},
                      {"tetrahedra", t.tets},
                      {"components", t.components},
-                     {"handles", t.handles()},
-                     {"cavities", t.cavities()},
+                     {"components_by_faces", t.face_components},
+                     {"handles", t.handles},
+                     {"cavities", t.cavities},
                      {"euler_characteristic", t.euler_characteristic},
+                     {"pinched_edges", t.pinched_edges},
                      {"boundary_components", t.boundary_components},
                      {"boundary_euler_characteristic", t.boundary_euler_characteristic}};
   Json regions = Json::array();

@@ -10,6 +10,7 @@
 #include "adapters/io/atomic_file.hpp"
 #include "multimesh/algorithms/improve.hpp"
 #include "tools/domain_file.hpp"
+#include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/surface_json.hpp"
 #endif
@@ -112,6 +113,7 @@ void run(ImproveArguments a) {
     if (a.splits == split_names[i]) a.options.surface_splits = static_cast<SurfaceSplits>(i);
   TetDomain domain(take_tetrahedra(file), options);
   for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
+  const TetTopology before = topology_of(domain.tagged());
   const ImproveResult r = [&] {
     try {
       return improve(domain, a.options);
@@ -119,7 +121,9 @@ void run(ImproveArguments a) {
       throw InputError(a.input + ": " + e.what());
     }
   }();
-  write_domain(a.output, domain, file.soup.groups, {a.ascii, a.msh_2}, file.warnings);
+  write_if_same_mesh(a.output, before, domain, [&](const std::filesystem::path& path) {
+    write_domain(path, domain, file.soup.groups, {a.ascii, a.msh_2}, file.warnings);
+  });
   for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
   if (!a.json.empty()) {
     Json j = to_json(a, r);

@@ -9,6 +9,7 @@
 #include "tools/command.hpp"
 #include "tools/domain_file.hpp"
 #include "tools/domain_json.hpp"
+#include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
 #ifdef MULTIMESH_WITH_TETGEN
 #include "adapters/tetgen/background_points.hpp"
@@ -99,7 +100,9 @@ void run(const TetrahedralizeArguments& a) {
   }();
   const TetDomain domain(filled, options);
   for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
-  write_domain(a.output, domain, file.soup.groups, {a.ascii, a.msh_2}, file.warnings);
+  write_if_same_mesh(a.output, topology_of(filled), domain, [&](const std::filesystem::path& path) {
+    write_domain(path, domain, file.soup.groups, {a.ascii, a.msh_2}, file.warnings);
+  });
   Json j = to_json(report(domain));
   if (a.json) {
     j["warnings"] = file.warnings;

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "multimesh/algorithms/tet_topology.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/validate.hpp"
 #include "tools/command.hpp"
@@ -58,7 +59,11 @@ Findings examine(const TexturedTriangles& input, std::vector<std::string> warnin
 
 Findings examine(DomainFile& file) {
   Findings f{std::move(file.warnings), {}};
-  const TetDomain domain(take_tetrahedra(file));
+  const TaggedTetrahedra tets = take_tetrahedra(file);
+  f.add(hanging_points(tets).size(),
+        "points lie in the middle of an edge or a face of the boundary: the mesh does not conform there");
+  f.add(topology_of(tets).crowded_faces, "faces have three or more tetrahedra");
+  const TetDomain domain(tets);
   const TetDomainReport& r = domain.report();
   f.add(r.copied_vertices, "copies of points are needed to make it manifold");
   f.add(r.reversed_tets, "tetrahedra are oriented against the others, or have negative volume");

@@ -5,21 +5,13 @@
 #include <numbers>
 
 #include "multimesh/algorithms/tet_shape.hpp"
-#include "multimesh/pair_numbers.hpp"
 #include "multimesh/tet_sides.hpp"
-#include "multimesh/union_find.hpp"
 
 namespace multimesh {
 
 namespace {
 
 using Point = TetDomain::Point;
-
-std::size_t count_roots(UnionFind& sets, const std::vector<bool>& used) {
-  std::size_t n = 0;
-  for (Index i = 0; i < used.size(); ++i) n += used[i] && sets.find(i) == i;
-  return n;
-}
 
 /// The smallest angle between two faces.
 double min_dihedral(const Point (&p)[4]) {
@@ -33,46 +25,10 @@ double min_dihedral(const Point (&p)[4]) {
 
 }  // namespace
 
-TetReport report_tets(const tet::TetMesh& mesh) {
-  TetReport r;
-  const Index slots = mesh.capacity(0);
-  UnionFind pieces(slots), rims(slots);
-  std::vector<bool> used(slots, false), on_rim(slots, false);
-  PairNumbers edges(slots);
-  std::size_t rim_faces = 0;
-  for (Index t = 0; t < mesh.capacity(3); ++t) {
-    if (!mesh.is_live(3, t)) continue;
-    ++r.tets;
-    const Index* v = mesh.corners(t);
-    for (int i = 0; i < 4; ++i) {
-      used[v[i]] = true;
-      pieces.join(v[0], v[i]);
-      for (int j = 0; j < i; ++j) edges(v[i], v[j]);
-      const Dart face = tet::TetMesh::dart(t, permutation((i + 1) % 4, (i + 2) % 4, (i + 3) % 4, i));
-      if (!mesh.is_boundary(face, 2)) continue;
-      ++rim_faces;
-      for (int j = 1; j < 4; ++j) {
-        on_rim[v[(i + j) % 4]] = true;
-        rims.join(v[(i + 1) % 4], v[(i + j) % 4]);
-      }
-    }
-  }
-  r.vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
-  r.edges = edges.size();
-  r.faces = (4 * r.tets + rim_faces) / 2;
-  r.components = count_roots(pieces, used);
-  r.euler_characteristic = static_cast<long>(r.vertices) - static_cast<long>(r.edges) +
-                           static_cast<long>(r.faces) - static_cast<long>(r.tets);
-  r.boundary_components = count_roots(rims, on_rim);
-  r.boundary_euler_characteristic =
-      static_cast<long>(std::count(on_rim.begin(), on_rim.end(), true)) - static_cast<long>(rim_faces / 2);
-  return r;
-}
-
 DomainReport report(const TetDomain& domain) {
   DomainReport r;
   const tet::TetMesh& mesh = domain.mesh();
-  r.tets = report_tets(mesh);
+  r.tets = topology_of(domain.tagged());
   r.min_dihedral = std::numbers::pi;
   for (Index t = 0; t < mesh.capacity(3); ++t) {
     if (!mesh.is_live(3, t)) continue;

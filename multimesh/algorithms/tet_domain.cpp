@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/tet_domain.hpp"
 
+#include <algorithm>
+#include <initializer_list>
 #include <set>
 #include <string>
 
@@ -38,9 +40,9 @@ TetDomain::TetDomain(const TaggedTetrahedra& input, const TetDomainOptions& opti
     : data_(std::make_unique<Data>()) {
   if (!(options.feature_angle > 0)) throw InputError("the feature angle must be above 0");
   check(input);
-  const std::vector<Index> source = add_tetrahedra(input, *data_);
-  add_surface(input, options, source, *data_);
-  add_curves(input, options, source, *data_);
+  const JoinedMesh joined = add_tetrahedra(input, *data_);
+  add_surface(input, options, joined, *data_);
+  add_curves(input, options, joined, *data_);
 }
 
 TetDomain::~TetDomain() = default;
@@ -78,6 +80,20 @@ tet::Property<TetDomain::Tag>& TetDomain::regions() {
 }
 const tet::Property<TetDomain::Tag>& TetDomain::regions() const {
   return *data_->regions;
+}
+bool TetDomain::is_copy(Index vertex) const {
+  return (*data_->copy_of)[vertex] != 0;
+}
+// Points of copies are numbered from the top downwards, vertices from 0 upwards.
+Index TetDomain::joined_point(Index vertex) const {
+  const Index source = (*data_->copy_of)[vertex];
+  return source == 0 ? vertex : no_index - 1 - source;
+}
+bool TetDomain::is_copied_edge(Dart edge) const {
+  return data_->mesh->value(*data_->copied_edges, edge) != nullptr;
+}
+bool TetDomain::is_parted_face(Dart face) const {
+  return data_->mesh->value(*data_->parted_faces, face) != nullptr;
 }
 TetDomain::Tag TetDomain::patch(Index triangle) const {
   return (*data_->patches)[triangle];
@@ -128,6 +144,19 @@ class OutputPoints {
   std::vector<std::array<double, 3>>& out_;
 };
 
+/// Whether this simplex is new, by its points: copies are written once.
+class OncePerPlace {
+ public:
+  bool operator()(std::initializer_list<Index> points) {
+    std::vector<Index> key(points);
+    std::sort(key.begin(), key.end());
+    return seen_.insert(key).second;
+  }
+
+ private:
+  std::set<std::vector<Index>> seen_;
+};
+
 }  // namespace
 
 TaggedTetrahedra TetDomain::tagged() const {
@@ -140,6 +169,7 @@ TaggedTetrahedra TetDomain::tagged() const {
     for (int i = 0; i < 4; ++i) out.tets.corners.push_back(point(root.corners(t)[i]));
     out.regions.push_back((*d.regions)[t]);
   }
+  OncePerPlace once;
   Index v[4];
   if (d.surface) {
     const Mesh& mesh = d.tree->mesh(*d.surface);
@@ -150,6 +180,7 @@ TaggedTetrahedra TetDomain::tagged() const {
       root.vertices(image, v);
       if (root.is_boundary(image, 2) && is_even(root.order(tet::TetMesh::dart(root.tet(image)), image)))
         std::swap(v[0], v[1]);
+      if (is_parted_face(image) && !once({point(v[0]), point(v[1]), point(v[2])})) continue;
       for (int i = 0; i < 3; ++i) out.triangles.corners.push_back(point(v[i]));
       out.patches.push_back((*d.patches)[f]);
     }
@@ -158,13 +189,16 @@ TaggedTetrahedra TetDomain::tagged() const {
     const Mesh& mesh = d.tree->mesh(*d.curves);
     for (Index e = 0; e < mesh.capacity(1); ++e) {
       if (!mesh.is_live(1, e)) continue;
-      root.vertices(d.tree->to_parent(*d.curves, mesh.dart_of(1, e)), v);
+      const Dart image = d.tree->to_parent(*d.curves, mesh.dart_of(1, e));
+      root.vertices(image, v);
+      if (is_copied_edge(image) && !once({point(v[0]), point(v[1])})) continue;
       for (int i = 0; i < 2; ++i) out.edges.corners.push_back(point(v[i]));
       out.edge_tags.push_back((*d.curve_tags)[e]);
     }
   }
   for (Index i = 0; i < root.capacity(0); ++i)
-    if (root.is_live(0, i) && root.is_locked(i) && root.dart_of(0, i) != no_dart)
+    if (root.is_live(0, i) && root.is_locked(i) && !(*d.locked_by_cut)[i] && root.dart_of(0, i) != no_dart &&
+        once({point(i)}))
       out.fixed.push_back(point(i));
   out.tets.vertices = out.triangles.vertices = out.edges.vertices = static_cast<Index>(out.points.size());
   return out;

@@ -53,7 +53,9 @@ struct TetDomainReport {
 ///                                   have facets. Chains of curves end where they branch or their kind
 ///                                   changes.
 ///
-/// Points where sheets or curves touch that nothing else keeps, and copies of one input point, are locked.
+/// Points where sheets or curves touch that nothing else keeps, and copies of one input point, are locked. At
+/// a point whose link is neither a sphere nor a disk, the cut also parts a few faces inside the material;
+/// they are no part of the surface, but of the root's boundary.
 class TetDomain {
  public:
   using Point = Eigen::Vector3d;
@@ -83,6 +85,16 @@ class TetDomain {
   const tet::Property<Point>& points() const;
   tet::Property<Tag>& regions();
   const tet::Property<Tag>& regions() const;
+  /// Whether cutting made several vertices of this one's point.
+  bool is_copy(Index vertex) const;
+  /// The same number for all vertices of the root that are copies of one point, another one for others.
+  Index joined_point(Index vertex) const;
+  /// Whether cutting made several of this edge, or of a face that it is a side of. What is done to one copy
+  /// only leaves the others behind, and the mesh does not conform any more when it is joined again: neither
+  /// split, swap nor collapse such an edge, and move none of its ends.
+  bool is_copied_edge(Dart edge) const;
+  /// Whether cutting made several of this face: inside the domain, it is in the boundary of the root only.
+  bool is_parted_face(Dart face) const;
   Tag patch(Index triangle) const;  ///< of a triangle of the surface
   Tag curve_tag(Index edge) const;  ///< of an edge of the curves
 

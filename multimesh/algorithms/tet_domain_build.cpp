@@ -53,7 +53,7 @@ std::size_t make_positive(const TaggedTetrahedra& input, Cut& cut) {
 
 }  // namespace
 
-std::vector<Index> add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data& out) {
+JoinedMesh add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data& out) {
   Cut pieces = cut({3, static_cast<Index>(input.points.size()), input.tets.corners});
   out.report.inverted_tets = make_positive(input, pieces);
   out.report.reversed_tets =
@@ -78,11 +78,24 @@ std::vector<Index> add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data
     if (fixed[pieces.source[v]]) mesh->set_locked(v, true);
   if (!input.regions.empty()) out.regions->values = input.regions;
   out.tree = std::make_unique<MultiMesh>(std::move(mesh));
-  return std::move(pieces.source);
+  JoinedMesh joined{std::move(pieces.source), {}};
+  find_copies(out, joined);
+  return joined;
 }
 
-void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options,
-                 const std::vector<Index>& source, TetDomain::Data& out) {
+namespace {
+
+/// The tetrahedron on the other side of the face of a dart with these vertices, also where the cut parted
+/// them; no_index at the boundary.
+Index tet_beyond(const tet::TetMesh& root, const JoinedMesh& joined, Dart face, const Index* v) {
+  const Dart beyond = root.switch_dart(face, 3);
+  return beyond != no_dart ? tet::TetMesh::tet(beyond) : joined.beyond.find(simplex_key(v, 2));
+}
+
+}  // namespace
+
+void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
+                 TetDomain::Data& out) {
   SimplexMap given;
   for (Index i = 0; i < input.triangles.size(); ++i)
     given.set(simplex_key(input.triangles.facet(i).data(), 2), i);
@@ -97,13 +110,13 @@ void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options,
     const Dart d = root.dart_of(2, s);
     Index v[4];
     root.vertices(d, v);
-    for (int i = 0; i < 3; ++i) v[i] = source[v[i]];
-    const Dart beyond = root.switch_dart(d, 3);
-    const bool interface = options.interfaces && beyond != no_dart &&
-                           (*out.regions)[root.tet(d)] != (*out.regions)[root.tet(beyond)];
+    const Index beyond = tet_beyond(root, joined, d, v);
+    for (int i = 0; i < 3; ++i) v[i] = joined.source[v[i]];
+    const bool interface =
+        options.interfaces && beyond != no_index && (*out.regions)[root.tet(d)] != (*out.regions)[beyond];
     const Index i = given.find(simplex_key(v, 2));
     if (i != no_index) found[i] = true;
-    if (i == no_index && !interface && !(options.boundary && beyond == no_dart)) return false;
+    if (i == no_index && !interface && !(options.boundary && beyond == no_index)) return false;
     faces.push_back(
         {i == no_index || input.patches.empty() ? 0 : input.patches[i], i == no_index && !interface});
     return true;
@@ -130,9 +143,9 @@ namespace {
 
 /// An edge of the root that the surface or a tag touches.
 struct CurveEdge {
-  std::array<Index, 2> ends{};
-  int sheets = 0;    ///< faces of the surface around it
-  Tag patches[2]{};  ///< of two of them
+  std::array<Index, 2> ends{};  ///< input points
+  int sheets = 0;               ///< faces of the surface around it
+  Tag patches[2]{};             ///< of two of them
   Point normals[2] = {Point::Zero(), Point::Zero()};
   bool has_tag = false;
   Tag tag = 0;
@@ -152,10 +165,13 @@ struct CurveEdge {
   }
 };
 
+/// By input points: copies of an edge are one, and all faces of the surface around them count.
 class Curves {
  public:
+  explicit Curves(const std::vector<Index>& source) : source_(source) {}
+
   CurveEdge& at(const Index* ends) {
-    const tet::SimplexKey key = simplex_key(ends, 1);
+    const tet::SimplexKey key = key_of(ends);
     Index i = numbers_.find(key);
     if (i == no_index) {
       i = static_cast<Index>(edges.size());
@@ -165,32 +181,41 @@ class Curves {
     return edges[i];
   }
   const CurveEdge* find(const Index* ends) const {
-    const Index i = numbers_.find(simplex_key(ends, 1));
+    const Index i = numbers_.find(key_of(ends));
     return i == no_index ? nullptr : &edges[i];
   }
 
   std::vector<CurveEdge> edges;
 
  private:
+  tet::SimplexKey key_of(const Index* ends) const {
+    const Index points[2] = {source_[ends[0]], source_[ends[1]]};
+    return simplex_key(points, 1);
+  }
+
+  const std::vector<Index>& source_;
   SimplexMap numbers_;
 };
 
 /// Every edge of every triangle of the surface. The normals of two triangles are compared as if both ran
 /// along the edge in opposite directions.
-void add_edges_of_surface(const TetDomain::Data& domain, Curves& out) {
+void add_edges_of_surface(const TetDomain::Data& domain, const JoinedMesh& joined, Curves& out) {
   const Mesh& surface = domain.tree->mesh(*domain.surface);
   const auto& points = *domain.points;
   for (Index f = 0; f < surface.capacity(2); ++f) {
     const Dart d = domain.tree->to_parent(*domain.surface, surface.dart_of(2, f));
     Index v[4];
     domain.mesh->vertices(d, v);
+    const Index beyond = joined.beyond.find(simplex_key(v, 2));
+    if (beyond != no_index && beyond < domain.mesh->tet(d)) continue;  // its other copy has been counted
     const Point normal = (points[v[1]] - points[v[0]]).cross(points[v[2]] - points[v[0]]).stableNormalized();
     for (int i = 0; i < 3; ++i) {
       const Index ends[2] = {v[i], v[(i + 1) % 3]};
       CurveEdge& e = out.at(ends);
       if (e.sheets < 2) {
         e.patches[e.sheets] = (*domain.patches)[f];
-        e.normals[e.sheets] = (ends[0] < ends[1]) == (e.sheets == 0) ? normal : Point(-normal);
+        const bool ascends = joined.source[ends[0]] < joined.source[ends[1]];
+        e.normals[e.sheets] = ascends == (e.sheets == 0) ? normal : Point(-normal);
       }
       ++e.sheets;
     }
@@ -222,38 +247,42 @@ std::size_t add_tagged_edges(const TaggedTetrahedra& input, const std::vector<In
 
 /// Points that only a label can hold: where sheets touch and no curve goes through, and where a curve that
 /// does not run on the surface touches it.
-void lock_touching_points(TetDomain::Data& domain, const Curves& curves, double angle) {
-  if (!domain.surface) return;
+void lock_touching_points(TetDomain::Data& domain, const std::vector<Index>& source, const Curves& curves,
+                          double angle) {
+  if (!domain.surface || source.empty()) return;
   const Mesh& surface = domain.tree->mesh(*domain.surface);
-  std::vector<Index> fans(domain.mesh->capacity(0), 0);
+  std::vector<Index> fans(*std::max_element(source.begin(), source.end()) + std::size_t{1}, 0);
   for (Index v = 0; v < surface.capacity(0); ++v)
     if (const Dart d = surface.dart_of(0, v); d != no_dart)
-      ++fans[domain.mesh->vertex(domain.tree->to_parent(*domain.surface, d))];
+      ++fans[source[domain.mesh->vertex(domain.tree->to_parent(*domain.surface, d))]];
   std::vector<bool> on_curve(fans.size(), false), on_free_curve(fans.size(), false);
   for (const CurveEdge& e : curves.edges)
     if (e.is_curve(angle))
-      for (const Index v : e.ends) {
-        on_curve[v] = true;
-        if (e.sheets == 0) on_free_curve[v] = true;
+      for (const Index p : e.ends) {
+        on_curve[p] = true;
+        if (e.sheets == 0) on_free_curve[p] = true;
       }
-  for (Index v = 0; v < fans.size(); ++v)
-    if ((fans[v] > 1 && !on_curve[v]) || (fans[v] > 0 && on_free_curve[v])) domain.mesh->set_locked(v, true);
+  for (Index v = 0; v < source.size(); ++v) {
+    const Index p = source[v];
+    if ((fans[p] > 1 && !on_curve[p]) || (fans[p] > 0 && on_free_curve[p])) domain.mesh->set_locked(v, true);
+  }
 }
 
 }  // namespace
 
-void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options,
-                const std::vector<Index>& source, TetDomain::Data& out) {
-  Curves curves;
-  if (out.surface) add_edges_of_surface(out, curves);
+void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
+                TetDomain::Data& out) {
+  const std::vector<Index>& source = joined.source;
+  Curves curves(source);
+  if (out.surface) add_edges_of_surface(out, joined, curves);
   out.report.missing_edges = add_tagged_edges(input, source, out, curves);
-  lock_touching_points(out, curves, options.feature_angle);
+  lock_touching_points(out, source, curves, options.feature_angle);
 
   tet::TetMesh& root = *out.mesh;
-  std::vector<std::set<std::array<Tag, 5>>> kinds(root.capacity(0));
+  std::vector<std::set<std::array<Tag, 5>>> kinds(input.points.size());
   for (const CurveEdge& e : curves.edges)
     if (e.is_curve(options.feature_angle))
-      for (const Index v : e.ends) kinds[v].insert(e.kind());
+      for (const Index p : e.ends) kinds[p].insert(e.kind());
   std::vector<Tag> tags;
   std::vector<bool> tagged(root.capacity(1), false);
   for (Index s = 0; s < tagged.size(); ++s) {
@@ -265,7 +294,7 @@ void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options,
     tags.push_back(e->tag);
   }
   if (tags.empty()) return;
-  const CutOptions ends{[&](Index v) { return kinds[v].size() > 1; }};
+  const CutOptions ends{[&](Index v) { return kinds[source[v]].size() > 1; }};
   out.curves = add_child_from_tags(
       *out.tree, NodeId::root, 1, [&](Index s) { return tagged[s]; }, make_mesh, ends);
   out.curve_tags = &openmesh::add_values(out.openmesh(*out.curves), OpenMesh::EPropHandleT<Tag>(), "tag");

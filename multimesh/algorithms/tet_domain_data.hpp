@@ -3,6 +3,7 @@
 #pragma once
 
 #include "adapters/openmesh/connectivity.hpp"
+#include "adapters/tet/simplex_map.hpp"
 #include "multimesh/algorithms/tet_domain.hpp"
 
 namespace multimesh {
@@ -14,6 +15,10 @@ struct TetDomain::Data {
   tet::Property<Point>* points = nullptr;
   tet::Property<Tag>* regions = nullptr;
   tet::Property<Index>* copy_of = nullptr;  // of vertices that are one input point: its index + 1; else 0
+  tet::Property<char>* locked_by_cut = nullptr;        // of vertices: nothing but a copied edge locks it
+  tet::SimplexProperty<char>* copied_edges = nullptr;  // that occur more than once, or are sides of a parted
+                                                       // face
+  tet::SimplexProperty<char>* parted_faces = nullptr;  // that occur more than once
   std::optional<NodeId> surface, curves;
   std::vector<Tag>* patches = nullptr;     // per triangle of the surface
   std::vector<char>* implied = nullptr;    // per triangle of the surface: it is there as boundary only
@@ -25,12 +30,20 @@ struct TetDomain::Data {
   }
 };
 
-/// Makes the root. \return per root vertex, its input point
-std::vector<Index> add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data& out);
-void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options,
-                 const std::vector<Index>& source, TetDomain::Data& out);
+/// How the root and the input belong together.
+struct JoinedMesh {
+  std::vector<Index> source;  // per root vertex: its input point
+  tet::SimplexMap beyond;     // of parted faces, by their root vertices: a tetrahedron of another copy
+};
+
+/// Makes the root.
+JoinedMesh add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data& out);
+/// Finds the edges and faces that the cut has made several of.
+void find_copies(TetDomain::Data& out, JoinedMesh& joined);
+void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
+                 TetDomain::Data& out);
 /// \pre the surface, if any, has been added
-void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options,
-                const std::vector<Index>& source, TetDomain::Data& out);
+void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
+                TetDomain::Data& out);
 
 }  // namespace multimesh

@@ -9,6 +9,7 @@
 #include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/simplex_writer.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
+#include "multimesh/algorithms/joined_mesh.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 
@@ -68,6 +69,8 @@ void storm(TetDomain& d, int wanted, std::mt19937& random) {
   VertexAttribute<TetDomain::Point> points(NodeId::root, d.points().values);
   Propagation operations(d.tree());
   operations.add(points);
+  KeepsJoinedMesh joined(d);
+  operations.add(joined);
   for (int done = 0, tried = 0; done < wanted && tried < 20 * wanted; ++tried) {
     const auto nodes = d.tree().nodes();
     const NodeId n = nodes[random() % nodes.size()];

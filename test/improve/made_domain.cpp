@@ -200,8 +200,8 @@ struct Measures {
 };
 
 std::vector<long> topology_of(const TetDomain& domain) {
-  const TetReport r = report_tets(domain.mesh());
-  std::vector<long> list{static_cast<long>(r.components), r.handles(), r.cavities(),
+  const TetTopology r = multimesh::topology_of(domain.tagged());
+  std::vector<long> list{static_cast<long>(r.components), r.handles, r.cavities,
                          r.boundary_euler_characteristic};
   for (const auto& node : {domain.surface(), domain.curves()}) {
     if (!node) continue;

@@ -31,7 +31,7 @@ double Candidates::star_quality(const std::vector<Corners>& star) const {
 void Candidates::read_edge_state(const Ring& ring) {
   const Held& held = work_.held();
   edge_.curve = held.curve(ring.darts.front());
-  edge_.locked = false;
+  edge_.locked = held.is_copied(ring.darts.front());
   for (const Dart d : ring.darts) edge_.locked = edge_.locked || held.is_locked_tet(tet::TetMesh::tet(d));
   work_.read_held_faces(ring, edge_.faces);
 }

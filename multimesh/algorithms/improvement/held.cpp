@@ -53,6 +53,12 @@ void Held::hold_faces() {
   }
 }
 
+bool Held::is_copied(Dart e) const {
+  Index v[4];
+  mesh_.vertices(e, v);
+  return (strata_[v[0]] & strata_[v[1]] & fixed) && domain_.is_copied_edge(e);
+}
+
 // A vertex is regular if just one vertex of the curves lies over it, and that is no end.
 void Held::hold_curves() {
   const Mesh& curves = domain_.tree().mesh(*domain_.curves());

@@ -14,7 +14,8 @@ class Held {
   enum Stratum : std::uint8_t {
     on_face = 1,   ///< a held face contains the vertex
     on_curve = 2,  ///< a curve passes through it
-    fixed = 4,     ///< nothing may be done to it: locked, the end of a curve, or where curves meet
+    fixed = 4,     ///< nothing may be done to it: locked, the end of a curve or of a copied edge, or where
+                   ///< curves meet
   };
 
   Held(const TetDomain& domain, const std::vector<TetDomain::Tag>& locked_regions);
@@ -33,6 +34,8 @@ class Held {
   /// Whether the edge of (x,y,..) is on a curve.
   bool curve(Dart e) const;
   bool is_locked_tet(Index t) const;
+  /// Whether the edge of (x,y,..) has copies, or is a side of a face that has: it must stay, see TetDomain.
+  bool is_copied(Dart e) const;
 
  private:
   bool is_held_face(Dart f) const;

@@ -37,8 +37,10 @@ Workspace::Workspace(TetDomain& domain, const std::vector<TetDomain::Tag>& locke
                    if (operation == Operation::split) return new_point_;
                    return points_[operation == Operation::collapse && c.t <= 0 ? c.a : c.b];
                  }),
+      joined_(domain),
       operations_(domain.tree()) {
   operations_.add(positions_);
+  operations_.add(joined_);
 }
 
 Corners Workspace::corners(Index t, std::size_t first) const {

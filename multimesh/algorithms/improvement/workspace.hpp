@@ -6,6 +6,7 @@
 
 #include "multimesh/algorithms/improvement/amips.hpp"
 #include "multimesh/algorithms/improvement/held.hpp"
+#include "multimesh/algorithms/joined_mesh.hpp"
 #include "multimesh/algorithms/tet_domain.hpp"
 #include "multimesh/operations.hpp"
 
@@ -82,6 +83,7 @@ class Workspace {
   Held held_;
   Vec3 new_point_ = Vec3::Zero();
   VertexAttribute<Vec3> positions_;
+  KeepsJoinedMesh joined_;
   Propagation operations_;
   Refusal refusal_;
   mutable DartBuffer darts_;

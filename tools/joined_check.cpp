@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/joined_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "multimesh/error.hpp"
+
+namespace multimesh::tools {
+
+namespace {
+
+/// By how far repeated rounding may have displaced points.
+double rounding_of(const TaggedTetrahedra& tets) {
+  double largest = 0;
+  for (const auto& p : tets.points)
+    for (const double x : p) largest = std::max(largest, std::abs(x));
+  return 1e-14 * largest;
+}
+
+std::filesystem::path beside(const std::filesystem::path& output) {
+  auto path = output;
+  const bool zipped = path.extension() == ".gz";
+  if (zipped) path.replace_extension();
+  const auto extension = path.extension();
+  path.replace_extension();
+  path += ".rejected";
+  path += extension;
+  if (zipped) path += ".gz";
+  return path;
+}
+
+}  // namespace
+
+void write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
+                        const TetDomain& domain,
+                        const std::function<void(const std::filesystem::path&)>& write) {
+  const TaggedTetrahedra joined = domain.tagged();
+  const std::vector<std::string> faults = differences(before, topology_of(joined), rounding_of(joined));
+  if (faults.empty()) return write(output);
+  const auto aside = beside(output);
+  write(aside);
+  std::string message = output.string() + ": not written, for the mesh is not what it was (";
+  for (const std::string& f : faults) message += (&f == &faults.front() ? "" : "; ") + f;
+  throw InputError(message + "). The result is kept in " + aside.string() +
+                   "; please report this with the input");
+}
+
+}  // namespace multimesh::tools

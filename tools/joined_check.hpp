@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "multimesh/algorithms/tet_topology.hpp"
+
+namespace multimesh::tools {
+
+/// Calls `write` with the output's path if the tetrahedra, joined as a reader of the file will join them,
+/// have the topology, boundary and volumes that they had before. If not, that is a fault of ours: `write`
+/// gets a path beside the output, and an InputError names it and what differs. An older file at the output's
+/// path is left alone then.
+void write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
+                        const TetDomain& domain,
+                        const std::function<void(const std::filesystem::path&)>& write);
+
+}  // namespace multimesh::tools
