@@ -116,7 +116,8 @@ FlatListFacts facts_of(const TaggedTetrahedra& list) {
 std::string compare(const FlatListFacts& a, const FlatListFacts& b) {
   std::ostringstream text;
   const auto same = [&](const char* what, auto before, auto after, double tolerance) {
-    if (std::abs(before - after) > tolerance) text << what << ' ' << before << " -> " << after << "; ";
+    if (std::abs(static_cast<double>(before - after)) > tolerance)
+      text << what << ' ' << before << " -> " << after << "; ";
   };
   same("components", a.components, b.components, 0);
   same("face components", a.face_components, b.face_components, 0);
