@@ -12,9 +12,7 @@
 #include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
 #ifdef MULTIMESH_WITH_TETGEN
-#include "adapters/tetgen/background_points.hpp"
-#include "adapters/tetgen/tetrahedralize.hpp"
-#include "adapters/tetgen/worker_error.hpp"
+#include "tools/fill_surface.hpp"
 #endif
 
 namespace multimesh::tools {
@@ -28,28 +26,19 @@ struct TetrahedralizeArguments {
   double feature_angle = 0, max_volume = 0, length = 0, relative_length = 0, ratio = 0, dihedral = 0;
   double minutes = 10;
   std::string keep = "winding";
+  std::vector<std::string> regions, holes;
   bool split_surface = false, ascii = false, msh_2 = false, json = false;
 };
 
 constexpr const char* keep_names[] = {"winding", "even-odd", "all"};
-
-/// The triangles as one vertex per place: equal points are one.
-FacetList joined_triangles(const io::SimplexSoup& soup, std::vector<std::string>& warnings) {
-  const std::vector<Index> first = tetgen::first_equal(soup.points);
-  FacetList list{2, static_cast<Index>(soup.points.size()), {}};
-  std::size_t joined = 0;
-  for (Index i = 0; i < first.size(); ++i) joined += first[i] != i;
-  if (joined > 0)
-    warnings.push_back(std::to_string(joined) + " points are equal to another one; joined with it");
-  for (const Index v : soup.simplices[2].corners) list.corners.push_back(first[v]);
-  return list;
-}
 
 tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a, const DomainFile& file) {
   tetgen::TetrahedralizeOptions o;
   o.keep = a.keep == "all"       ? tetgen::Keep::all
            : a.keep == "winding" ? tetgen::Keep::winding
                                  : tetgen::Keep::even_odd;
+  for (const std::string& text : a.regions) o.regions.push_back(parse_region_seed(text));
+  for (const std::string& text : a.holes) o.holes.push_back(parse_point(text, "--hole"));
   o.max_volume = a.max_volume;
   o.edge_length = a.length;
   if (a.relative_length > 0) {
@@ -62,26 +51,13 @@ tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a, c
   return o;
 }
 
-TaggedTetrahedra fill(const TetrahedralizeArguments& a, DomainFile& file) {
-  const io::SimplexSoup& soup = file.soup;
-  if (soup.simplices[2].size() == 0) throw InputError(a.input + ": has no triangle");
-  const FacetList triangles = joined_triangles(soup, file.warnings);
-  tetgen::Tetrahedralization filled = tetgen::tetrahedralize(soup.points, triangles, tetgen_options(a, file));
-  file.warnings.insert(file.warnings.end(), filled.warnings.begin(), filled.warnings.end());
-  TaggedTetrahedra t;
-  t.points = std::move(filled.points);
-  t.tets = std::move(filled.tets);
-  for (const Index region : filled.region)
-    t.regions.push_back(static_cast<TaggedTetrahedra::Tag>(region) + 1);
-  for (const tetgen::SurfaceFace& f : filled.faces) {
-    t.triangles.corners.insert(t.triangles.corners.end(), f.corners.begin(), f.corners.end());
-    const auto tag = soup.simplices[2].tags[f.triangle];
-    t.patches.push_back(tag == 0 ? 1 : tag);
+/// Adds the names of regions and patches to the report.
+void add_names(const std::vector<io::SimplexSoup::Group>& groups, Json& j) {
+  for (const auto& g : groups) {
+    if (g.dimension < 2) continue;
+    for (Json& part : j[g.dimension == 3 ? "regions" : "patches"])
+      if (part["tag"] == g.tag) part["name"] = g.name;
   }
-  t.edges.corners = soup.simplices[1].corners;
-  t.edge_tags = soup.simplices[1].tags;
-  t.triangles.vertices = t.edges.vertices = static_cast<Index>(t.points.size());
-  return t;
 }
 
 void run(const TetrahedralizeArguments& a) {
@@ -89,21 +65,14 @@ void run(const TetrahedralizeArguments& a) {
   DomainFile file = read_domain_file(a.input);
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
-  const TaggedTetrahedra filled = [&] {
-    try {
-      return fill(a, file);
-    } catch (const tetgen::WorkerError& e) {
-      throw InputError(a.input + ": " + e.what());
-    } catch (const InputError& e) {
-      throw InputError(a.input + ": " + e.what());
-    }
-  }();
-  const TetDomain domain(filled, options);
+  const FilledSurface filled = fill_surface(file, tetgen_options(a, file));
+  const TetDomain domain(filled.tets, options);
   for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
-  write_if_same_mesh(a.output, topology_of(filled), domain, [&](const std::filesystem::path& path) {
-    write_domain(path, domain, file.soup.groups, {a.ascii, a.msh_2}, file.warnings);
+  write_if_same_mesh(a.output, topology_of(filled.tets), domain, [&](const std::filesystem::path& path) {
+    write_domain(path, domain, filled.groups, {a.ascii, a.msh_2}, file.warnings);
   });
   Json j = to_json(report(domain));
+  add_names(filled.groups, j);
   if (a.json) {
     j["warnings"] = file.warnings;
     std::cout << to_text(j);
@@ -116,10 +85,40 @@ void run(const TetrahedralizeArguments& a) {
 
 }  // namespace
 
+namespace {
+
+/// As a check of an option: what is wrong with a text that this cannot parse.
+template <class Parse>
+auto parsed_by(Parse parse) {
+  return [parse](const std::string& text) -> std::string {
+    try {
+      parse(text);
+      return {};
+    } catch (const InputError& e) {
+      return e.what();
+    }
+  };
+}
+
+void add_seed_options(CLI::App& command, TetrahedralizeArguments& a) {
+  command
+      .add_option("--region", a.regions,
+                  "NAME:x,y,z: the region of this point has the name, or the tag if it is a number, and is "
+                  "filled; once per region")
+      ->check(parsed_by(parse_region_seed))
+      ->allow_extra_args(false);
+  command.add_option("--hole", a.holes, "x,y,z: the region of this point is left empty; once per hole")
+      ->check(parsed_by([](const std::string& text) { return parse_point(text, "--hole"); }))
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
 void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("tetrahedralize", "Fills a closed surface with tetrahedra, by TetGen.");
+  auto* command =
+      app.add_subcommand("tetrahedralize", "Fills what a surface encloses with tetrahedra, by TetGen.");
   auto a = std::make_shared<TetrahedralizeArguments>();
-  command->add_option("IN", a->input, "closed surface: OBJ, STL, OFF, PLY, MSH, MEDIT, VTU")->required();
+  command->add_option("IN", a->input, "surface: OBJ, STL, OFF, PLY, MSH, MEDIT, VTU")->required();
   command->add_option("-o,--output", a->output, "MSH, MEDIT (.mesh) or VTU file")->required();
   command
       ->add_option("--feature-angle", a->feature_angle,
@@ -144,6 +143,7 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
       ->add_option("--keep", a->keep, "regions to keep: winding number not 0, every other one, or all inside")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(keep_names), std::end(keep_names))))
       ->capture_default_str();
+  add_seed_options(*command, *a);
   command->add_flag("--split-surface", a->split_surface, "new points may be put on the surface");
   command->add_option("--time-limit", a->minutes, "minutes")
       ->check(CLI::PositiveNumber)

@@ -1,20 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/io/polygons_to_simplices.hpp"
 
+#include <algorithm>
+#include <map>
+#include <set>
+
 #include "adapters/io/simplex_builder.hpp"
 #include "adapters/io/triangulate.hpp"
 
 namespace multimesh::io {
+
+namespace {
+
+/// The tags of triangles: what an OBJ file calls objects and groups, and an STL file solids.
+class SectionTags {
+ public:
+  explicit SectionTags(const PolygonSoup& soup) : soup_(soup) {
+    for (const auto& s : soup.sections) objects_of_[s.group].insert(s.object);
+  }
+
+  /// 0 for faces that are in no group or object.
+  std::int32_t tag(std::size_t face) {
+    if (soup_.face_section.empty()) return 0;
+    const PolygonSoup::Section& s = soup_.sections[soup_.face_section[face]];
+    if (s.object.empty() && s.group.empty()) return 0;
+    const auto [at, is_new] =
+        tags_.try_emplace({s.object, s.group}, static_cast<std::int32_t>(groups_.size()) + 1);
+    if (is_new) groups_.push_back({2, at->second, name(s), s.object});
+    return at->second;
+  }
+  std::vector<SimplexSoup::Group> take_groups() { return std::move(groups_); }
+
+ private:
+  std::string name(const PolygonSoup::Section& s) const {
+    if (s.group.empty()) return s.object;
+    return objects_of_.at(s.group).size() > 1 && !s.object.empty() ? s.object + "/" + s.group : s.group;
+  }
+
+  const PolygonSoup& soup_;
+  std::map<std::string, std::set<std::string>> objects_of_;  // per group
+  std::map<std::array<std::string, 2>, std::int32_t> tags_;
+  std::vector<SimplexSoup::Group> groups_;
+};
+
+}  // namespace
 
 SimplexSoup to_simplices(PolygonSoup polygons, const std::filesystem::path& path,
                          const ReadOptions& options) {
   SimplexBuilder builder(path.string(), SimplexBuilder::Where::element, 0);
   const TriangleSoup cut = triangulate(polygons);
   builder.reserve(2, cut.triangles.size());
+  SectionTags tags(polygons);
   for (std::size_t t = 0; t < cut.triangles.size(); ++t) {
     std::array<std::uint32_t, 3> corners{};
     for (std::size_t i = 0; i < 3; ++i) corners[i] = static_cast<std::uint32_t>(cut.triangles[t][i].v);
-    builder.add(2, corners, 0, cut.polygon[t]);
+    builder.add(2, corners, tags.tag(cut.polygon[t]), cut.polygon[t]);
     // The triangles of one polygon follow one another; its first one counts.
     const bool is_first = t == 0 || cut.polygon[t] != cut.polygon[t - 1];
     if (is_first && polygons.face(cut.polygon[t]).size() > 3) ++builder.notes().cut_polygons;
@@ -27,6 +67,7 @@ SimplexSoup to_simplices(PolygonSoup polygons, const std::filesystem::path& path
                   0, l);
   builder.notes().merged_points = polygons.notes.merged_positions;
   SimplexSoup& soup = builder.soup();
+  soup.groups = tags.take_groups();
   soup.points = std::move(polygons.positions);
   soup.warnings = std::move(polygons.warnings);
   return builder.finish(options);

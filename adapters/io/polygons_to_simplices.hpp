@@ -9,7 +9,8 @@
 
 namespace multimesh::io {
 
-/// The positions, the polygons cut into triangles (see triangulate), and the polylines as edges; all tags 0.
+/// The positions, the polygons cut into triangles (see triangulate), and the polylines as edges, with tag 0.
+/// Triangles have a tag per object and group of the file, counted from 1, and its name; 0 where it has none.
 /// Texture coordinates, normals and colours are left out. Warnings go over. `path` is what messages name.
 /// \throw InputError as SimplexBuilder::finish
 SimplexSoup to_simplices(PolygonSoup polygons, const std::filesystem::path& path,

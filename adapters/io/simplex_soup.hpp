@@ -45,6 +45,7 @@ struct SimplexSoup {
     int dimension = 0;
     std::int32_t tag = 0;
     std::string name;
+    std::string object{};  ///< that it is a part of, where the file says so (OBJ, STL); not written
     friend bool operator==(const Group&, const Group&) = default;
   };
 

@@ -22,6 +22,7 @@ constexpr std::size_t header_size = 84, facet_size = 50;
 /// Collects facets, and joins equal corners.
 class FacetCollector {
  public:
+  FacetCollector() { soup_.sections.emplace_back(); }
   void reserve(std::size_t facets) {
     soup_.corners.reserve(3 * facets);
     soup_.face_begin.reserve(facets + 1);
@@ -39,7 +40,13 @@ class FacetCollector {
   void end_facet(std::size_t line) {
     soup_.face_begin.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
     soup_.face_line.push_back(static_cast<std::uint32_t>(line));
-    soup_.face_section.push_back(0);
+    soup_.face_section.push_back(static_cast<std::uint32_t>(soup_.sections.size()) - 1);
+  }
+
+  /// The facets that follow are of this solid.
+  void begin_solid(std::string_view name) {
+    if (soup_.sections.back().object == name) return;
+    soup_.sections.emplace_back().object = name;
   }
 
   PolygonSoup finish(const std::string& file) {
@@ -143,7 +150,8 @@ class TextParser {
     if (word != "solid" && word != "endsolid" && word != "facet" && word != "outer" && word != "endloop" &&
         word != "endfacet" && word != "end" && word != "color")
       words_.fail(quoted_word(word) + " is no statement of STL; correct the file or export it again");
-    words_.rest_of_line();
+    const std::string_view rest = words_.rest_of_line();
+    if (word == "solid") facets_.begin_solid(trimmed(rest));
   }
 
   void vertex() {

@@ -124,14 +124,17 @@ void warn_of_facets(const Filling& filling, const Facets& facets, const Choice& 
     warnings.push_back(counted(sheets, "triangle") + " separate nothing; kept as sheets inside of a region");
 }
 
-void warn_of_winding(const Winding& winding, const TetrahedralizeOptions& options,
+void warn_of_winding(const Winding& winding, const Choice& choice, const TetrahedralizeOptions& options,
                      std::vector<std::string>& warnings) {
   if (!winding.turned.empty())
     warnings.push_back(counted(winding.turned.size(), "triangle") +
                        " run against the others; taken as if turned round");
-  if (!winding.assumed.empty() && options.keep != Keep::all)
+  // Seeds are no assumption.
+  const auto assumed = std::count_if(winding.assumed.begin(), winding.assumed.end(),
+                                     [&](Index r) { return choice.kept[r] && choice.names[r].empty(); });
+  if (assumed > 0 && options.keep != Keep::all)
     warnings.push_back("the orientation of the triangles does not tell what is empty: " +
-                       counted(winding.assumed.size(), "region") +
+                       counted(static_cast<std::size_t>(assumed), "region") +
                        " that they enclose taken as filled; a hole's seed makes one empty");
 }
 
@@ -150,7 +153,7 @@ Choice choose(const Filling& filling, const Facets& facets, const Tetrahedralize
     throw InputError("no region is left to be filled: all " + std::to_string(regions) + " are empty");
   warn_of_triangles(facets, choice.warnings);
   warn_of_facets(filling, facets, choice, choice.warnings);
-  warn_of_winding(winding, options, choice.warnings);
+  warn_of_winding(winding, choice, options, choice.warnings);
   return choice;
 }
 

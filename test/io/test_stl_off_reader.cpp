@@ -6,6 +6,7 @@
 #include "adapters/io/gunzip.hpp"
 #include "adapters/io/mesh_reader.hpp"
 #include "adapters/io/off_reader.hpp"
+#include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/stl_reader.hpp"
 #include "simplex_fixture.hpp"
 
@@ -54,6 +55,23 @@ TEST(StlReader, DegenerateFacetsAreLeftOut) {
   const PolygonSoup soup = parse_stl(binary_stl("x", with_one), "a.stl", {.max_collapsed_share = 1});
   EXPECT_EQ(soup.face_count(), 2U);
   EXPECT_EQ(soup.notes.collapsed_faces, 1U);
+}
+
+TEST(StlReader, SolidsAreObjects) {
+  const auto solid = [](const std::string& name, int x) {
+    const std::string a = "vertex " + std::to_string(x) + " 0 0\n";
+    return "solid " + name + "\nfacet normal 0 0 1\nouter loop\n" + a + "vertex 9 0 0\nvertex 0 9 0\n" +
+           "endloop\nendfacet\nendsolid " + name + "\n";
+  };
+  const std::string text = solid("a part ", 1) + solid("", 2) + solid("b", 3);
+  const PolygonSoup soup = parse_stl(text, "x.stl");
+  std::vector<std::string> objects;
+  for (const std::uint32_t s : soup.face_section) objects.push_back(soup.sections[s].object);
+  EXPECT_EQ(objects, (std::vector<std::string>{"a part", "", "b"}));
+  const SimplexSoup simplices = parse_simplices(text, "x.stl");
+  EXPECT_EQ(simplices.simplices[2].tags, (std::vector<std::int32_t>{1, 0, 2}));
+  EXPECT_EQ(simplices.groups,
+            (std::vector<SimplexSoup::Group>{{2, 1, "a part", "a part"}, {2, 2, "b", "b"}}));
 }
 
 TEST(StlReader, TruncatedFilesAreRefused) {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/fill_surface.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "adapters/tetgen/background_points.hpp"
+#include "adapters/tetgen/missed_bounds.hpp"
+#include "adapters/tetgen/naming.hpp"
+#include "adapters/tetgen/worker_error.hpp"
+#include "multimesh/error.hpp"
+
+namespace multimesh::tools {
+
+namespace {
+
+/// The triangles as one vertex per place: equal points are one.
+FacetList joined_triangles(const io::SimplexSoup& soup, std::vector<std::string>& warnings) {
+  const std::vector<Index> first = tetgen::first_equal(soup.points);
+  FacetList list{2, static_cast<Index>(soup.points.size()), {}};
+  std::size_t joined = 0;
+  for (Index i = 0; i < first.size(); ++i) joined += first[i] != i;
+  if (joined > 0)
+    warnings.push_back(std::to_string(joined) + " points are equal to another one; joined with it");
+  for (const Index v : soup.simplices[2].corners) list.corners.push_back(first[v]);
+  return list;
+}
+
+/// Objects and groups of surface files name what they enclose; groups of other files their surfaces only.
+tetgen::TriangleNames triangle_names(const DomainFile& file) {
+  tetgen::TriangleNames names;
+  names.tags = file.soup.simplices[2].tags;
+  names.name_regions = is_surface_format(file.path);
+  for (const auto& g : file.soup.groups)
+    if (g.dimension == 2) names.parts[g.tag] = {g.name, g.object};
+  return names;
+}
+
+void add_groups(int dimension, const std::vector<tetgen::Naming::Tag>& tags,
+                std::vector<io::SimplexSoup::Group>& groups) {
+  for (const auto& [tag, name] : tags) {
+    const io::SimplexSoup::Group group{dimension, tag, name};
+    if (!name.empty() && std::find(groups.begin(), groups.end(), group) == groups.end())
+      groups.push_back(group);
+  }
+}
+
+FilledSurface with_names(tetgen::Tetrahedralization filled, DomainFile& file) {
+  const tetgen::Naming naming = tetgen::name_parts(filled, triangle_names(file));
+  file.warnings.insert(file.warnings.end(), naming.warnings.begin(), naming.warnings.end());
+  FilledSurface out;
+  TaggedTetrahedra& t = out.tets;
+  for (const Index r : filled.region) t.regions.push_back(naming.regions[r].tag);
+  for (const tetgen::SurfaceFace& f : filled.faces)
+    t.triangles.corners.insert(t.triangles.corners.end(), f.corners.begin(), f.corners.end());
+  t.patches = naming.face_tags;
+  t.edges.corners = file.soup.simplices[1].corners;
+  t.edge_tags = file.soup.simplices[1].tags;
+  t.triangles.vertices = t.edges.vertices = static_cast<Index>(filled.points.size());
+  t.points = std::move(filled.points);
+  t.tets = std::move(filled.tets);
+  for (const auto& g : file.soup.groups)
+    if (g.dimension < 2) out.groups.push_back(g);
+  add_groups(2, naming.patches, out.groups);
+  add_groups(3, naming.regions, out.groups);
+  return out;
+}
+
+}  // namespace
+
+namespace {
+
+/// What a user can do when TetGen fails on a surface in which it finds no fault.
+std::string way_out(const tetgen::WorkerError& e) {
+  using Reason = tetgen::WorkerError::Reason;
+  const char* const other_triangles =
+      "other triangles may help, as `multimesh remesh` makes them; fTetWild fills surfaces that TetGen does "
+      "not";
+  switch (e.reason()) {
+    case Reason::time_out:
+      return std::string("; --time-limit gives it more; ") + other_triangles;
+    case Reason::signal:
+    case Reason::stopped:
+    case Reason::bad_result:
+      return std::string("; ") + other_triangles;
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+FilledSurface fill_surface(DomainFile& file, const tetgen::TetrahedralizeOptions& options) {
+  const std::string name = file.path.string();
+  if (file.soup.simplices[2].size() == 0) throw InputError(name + ": has no triangle");
+  try {
+    tetgen::Tetrahedralization filled =
+        tetgen::tetrahedralize(file.soup.points, joined_triangles(file.soup, file.warnings), options);
+    file.warnings.insert(file.warnings.end(), filled.warnings.begin(), filled.warnings.end());
+    for (std::string& w : tetgen::missed_bounds(filled, options)) file.warnings.push_back(std::move(w));
+    return with_names(std::move(filled), file);
+  } catch (const tetgen::WorkerError& e) {
+    throw InputError(name + ": " + e.what() + way_out(e));
+  } catch (const InputError& e) {
+    throw InputError(name + ": " + e.what());
+  }
+}
+
+tetgen::Point parse_point(const std::string& text, const std::string& option) {
+  tetgen::Point p{};
+  const char *at = text.data(), *const end = at + text.size();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [next, error] = std::from_chars(at, end, p[i]);
+    const bool is_last = i == 2;
+    if (error != std::errc() || !std::isfinite(p[i]) || (is_last ? next != end : next == end || *next != ','))
+      throw InputError(option + ": '" + text + "' is no point; give x,y,z, as in 0.5,-1,2e-3");
+    at = is_last ? next : next + 1;
+  }
+  return p;
+}
+
+tetgen::RegionSeed parse_region_seed(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0)
+    throw InputError("--region: '" + text + "' has no name; give NAME:x,y,z");
+  return {text.substr(0, colon), parse_point(text.substr(colon + 1), "--region")};
+}
+
+}  // namespace multimesh::tools

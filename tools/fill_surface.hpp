@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "adapters/tetgen/tetrahedralize.hpp"
+#include "tools/domain_file.hpp"
+
+namespace multimesh::tools {
+
+/// Tetrahedra of a surface, as they are to be written.
+struct FilledSurface {
+  TaggedTetrahedra tets;
+  std::vector<io::SimplexSoup::Group> groups;  ///< names of regions and patches, and the file's of curves
+};
+
+/// Fills what the triangles of a file enclose; equal points are one. Warnings are added to those of the file.
+/// \throw InputError, naming the file
+FilledSurface fill_surface(DomainFile& file, const tetgen::TetrahedralizeOptions& options);
+
+/// x,y,z. \throw InputError naming the option
+tetgen::Point parse_point(const std::string& text, const std::string& option);
+
+/// NAME:x,y,z. \throw InputError
+tetgen::RegionSeed parse_region_seed(const std::string& text);
+
+}  // namespace multimesh::tools
