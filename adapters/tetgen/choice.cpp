@@ -86,10 +86,12 @@ void warn_of_triangles(const Facets& facets, std::vector<std::string>& warnings)
   if (facets.collapsed > 0)
     warnings.push_back(counted(facets.collapsed, "triangle") + " that repeat a point left out");
   if (facets.flat > 0)
-    warnings.push_back(counted(facets.flat, "triangle") + " without area left out" +
-                       (facets.split > 0 ? "; " + counted(facets.split, "neighbour") +
-                                               " cut where these had joined them to others"
-                                         : ""));
+    warnings.push_back(
+        counted(facets.flat, "triangle") + " without area" +
+        (facets.least_height > 0 ? ", up to the rounding of single precision," : "") + " left out" +
+        (facets.split > 0
+             ? "; " + counted(facets.split, "neighbour") + " cut where these had joined them to others"
+             : ""));
 }
 
 /// Triangles that are there again. One with each orientation is right between two regions.

@@ -42,7 +42,8 @@ void cut(const FlatTriangles& flat, const Corners& c, std::vector<Corners>& out)
   cut(flat, {x, b, apex}, out);
 }
 
-std::vector<Piece> make_pieces(std::span<const Point> points, const FacetList& triangles, Facets& counts) {
+std::vector<Piece> make_pieces(std::span<const Point> points, const FacetList& triangles, double least_height,
+                               Facets& counts) {
   std::vector<Piece> pieces;
   std::vector<Corners> without_area;
   for (Index t = 0; t < triangles.size(); ++t) {
@@ -50,7 +51,7 @@ std::vector<Piece> make_pieces(std::span<const Point> points, const FacetList& t
     const Corners c{facet[0], facet[1], facet[2]};
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
       ++counts.collapsed;
-    else if (!has_area(points, c))
+    else if (!has_area(points, c, least_height))
       without_area.push_back(c);
     else
       pieces.push_back(make_piece(c, t));
@@ -61,7 +62,7 @@ std::vector<Piece> make_pieces(std::span<const Point> points, const FacetList& t
   std::vector<bool> used(points.size(), false);
   for (const Piece& p : pieces)
     for (const Index v : p.corners) used[v] = true;
-  const FlatTriangles flat(points, without_area, used);
+  const FlatTriangles flat(points, without_area, used, least_height);
   std::vector<Piece> all;
   for (const Piece& p : pieces) {
     std::vector<Corners> parts;
@@ -83,9 +84,10 @@ bool sort_corners(std::array<Index, 3>& c) {
   return even;
 }
 
-Facets make_facets(std::span<const Point> points, const FacetList& triangles) {
+Facets make_facets(std::span<const Point> points, const FacetList& triangles, double least_height) {
   Facets facets;
-  const std::vector<Piece> pieces = make_pieces(points, triangles, facets);
+  facets.least_height = least_height;
+  const std::vector<Piece> pieces = make_pieces(points, triangles, least_height, facets);
   // Pieces are in the order of their triangles; `first` has those with equal corners side by side.
   std::vector<Index> by_key(pieces.size());
   std::iota(by_key.begin(), by_key.end(), Index{0});

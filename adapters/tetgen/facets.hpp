@@ -24,6 +24,7 @@ struct Facets {
   std::vector<Index> begin = {0};    ///< \#F+1 offsets into sources
   std::size_t collapsed = 0;         ///< triangles that name a point twice, left out
   std::size_t flat = 0;              ///< triangles with their corners on a line, left out
+  double least_height = 0;           ///< below which they count as flat
   std::size_t split = 0;             ///< triangles that were cut where a flat one had joined them to others
 
   Index size() const { return static_cast<Index>(begin.size()) - 1; }
@@ -44,8 +45,8 @@ struct Sides {
 /// Makes facets of triangles that share edges and corners as they like. Triangles with equal corners are one
 /// facet, whatever their orientation. A triangle without area joins the long edge of one neighbour to the
 /// short ones of others: it is left out, and that neighbour is cut at the point in between.
-/// Facets are in the order of their first triangles. Cost: sorting.
-/// \pre corners are indices of points; points that are used differ
-Facets make_facets(std::span<const Point> points, const FacetList& triangles);
+/// So are those whose height is no more than the least one. Facets are in the order of their first triangles.
+/// Cost: sorting. \pre corners are indices of points; points that are used differ
+Facets make_facets(std::span<const Point> points, const FacetList& triangles, double least_height = 0);
 
 }  // namespace multimesh::tetgen

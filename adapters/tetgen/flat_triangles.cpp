@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapters/tetgen/surface_measure.hpp"
 #include "multimesh/union_find.hpp"
 
 namespace multimesh::tetgen {
@@ -27,7 +28,8 @@ void sort_along(std::span<const Point> points, std::vector<Index>& line) {
 }  // namespace
 
 FlatTriangles::FlatTriangles(std::span<const Point> points, std::span<const std::array<Index, 3>> triangles,
-                             const std::vector<bool>& used) {
+                             const std::vector<bool>& used, double least_height)
+    : points_(points), least_height_(least_height) {
   UnionFind joined(triangles.size());
   std::map<std::array<Index, 2>, Index> at_edge;
   for (Index t = 0; t < triangles.size(); ++t)
@@ -58,6 +60,7 @@ std::vector<Index> FlatTriangles::points_on(Index a, Index b) const {
     const bool forward = i < j;
     if (!forward) std::swap(i, j);
     std::vector<Index> between(i + 1, j);
+    std::erase_if(between, [&](Index x) { return has_area(points_, {a, x, b}, least_height_); });
     if (!forward) std::reverse(between.begin(), between.end());
     return between;
   }

@@ -42,9 +42,12 @@ long double least_volume(std::span<const Point> points, const std::array<Index, 
   return 16 * std::numeric_limits<long double>::epsilon() * product;
 }
 
-bool has_area(std::span<const Point> points, const std::array<Index, 3>& c) {
+bool has_area(std::span<const Point> points, const std::array<Index, 3>& c, long double least_height) {
   const LongVector u = minus(points[c[1]], points[c[0]]), v = minus(points[c[2]], points[c[0]]);
-  return length(cross(u, v)) > 4 * std::numeric_limits<long double>::epsilon() * length(u) * length(v);
+  const long double area = length(cross(u, v)),
+                    longest = std::max({length(u), length(v), length(minus(points[c[2]], points[c[1]]))});
+  return area > 4 * std::numeric_limits<long double>::epsilon() * length(u) * length(v) &&
+         area > least_height * longest;
 }
 
 long double cone_volume(std::span<const Point> points, const std::array<Index, 3>& c, const Point& origin) {

@@ -21,8 +21,10 @@ long double volume_of(std::span<const Point> points, const std::array<Index, 4>&
 /// A bound of the rounding error of volume_of().
 long double least_volume(std::span<const Point> points, const std::array<Index, 4>& corners);
 
-/// Whether the corners are not on one line, up to the roundings of this test.
-bool has_area(std::span<const Point> points, const std::array<Index, 3>& corners);
+/// Whether the corners are not on one line, up to the roundings of this test: the height over the longest
+/// edge is above the least one.
+bool has_area(std::span<const Point> points, const std::array<Index, 3>& corners,
+              long double least_height = 0);
 
 /// The volume of the tetrahedron between a triangle and a point, with its sign: positive if the normal points
 /// away from it. Over all triangles around a region, the volume that they enclose.

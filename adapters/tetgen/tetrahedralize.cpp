@@ -2,6 +2,8 @@
 #include "adapters/tetgen/tetrahedralize.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "adapters/tetgen/choice.hpp"
 #include "adapters/tetgen/fill_options.hpp"
@@ -79,22 +81,46 @@ Filling refine(const Filling& first, const Choice& choice, const Surface& surfac
   return filling;
 }
 
+/// What single precision, in which many formats store coordinates, makes of a distance of 0.
+double rounding_of_floats(std::span<const Point> points, const FacetList& triangles) {
+  double largest = 0;
+  for (const Index v : triangles.corners)
+    for (const double x : points[v]) largest = std::max(largest, std::abs(x));
+  return 4 * std::numeric_limits<float>::epsilon() * largest;
+}
+
+Tetrahedralization fill(std::span<const Point> points, const Facets& facets,
+                        const TetrahedralizeOptions& options, const WorkerOptions& worker) {
+  if (facets.size() == 0) throw InputError("no triangle has an area");
+  const Surface surface(points, facets);
+  Filling filling = surface.fill(hull_switches(options), {options.split_surface}, worker);
+  const Choice choice = choose(filling, facets, options);
+  if (refines(options)) filling = refine(filling, choice, surface, options, worker);
+  Tetrahedralization result = Collector(points, surface, filling, choice).collect(facets);
+  result.warnings = choice.warnings;
+  return result;
+}
+
 }  // namespace
 
 Tetrahedralization tetrahedralize(std::span<const Point> points, const FacetList& triangles,
                                   const TetrahedralizeOptions& options) {
   check_options(options);
   check_points(points, triangles);
-  Facets facets = make_facets(points, triangles);
-  if (facets.size() == 0) throw InputError("no triangle has an area");
-  const Surface surface(points, facets);
   const WorkerOptions worker = worker_options(options);
-  Filling filling = surface.fill(hull_switches(options), {options.split_surface}, worker);
-  const Choice choice = choose(filling, facets, options);
-  if (refines(options)) filling = refine(filling, choice, surface, options, worker);
-  Tetrahedralization result = Collector(points, surface, filling, choice).collect(std::move(facets));
-  result.warnings = choice.warnings;
-  return result;
+  const Facets facets = make_facets(points, triangles);
+  try {
+    return fill(points, facets, options, worker);
+  } catch (const std::runtime_error&) {
+    // Often because of triangles that rounding alone has kept from being flat, folded over their neighbours.
+    const Facets fewer = make_facets(points, triangles, rounding_of_floats(points, triangles));
+    if (fewer.flat == facets.flat) throw;
+    try {
+      return fill(points, fewer, options, worker);
+    } catch (const std::runtime_error&) {
+    }
+    throw;
+  }
 }
 
 }  // namespace multimesh::tetgen

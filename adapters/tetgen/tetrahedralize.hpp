@@ -76,7 +76,8 @@ struct Tetrahedralization : TetrahedraList {
 /// Fills with tetrahedra what triangles enclose. They may meet in corners and whole edges, as many as like,
 /// and in any orientation; those with equal corners count as one. Regions are what they separate, numbered in
 /// the order of the triangles; what is outside is left out. Triangles that separate nothing stay as sheets
-/// inside. Those without area or with a repeated corner are left out. TetGen works in a process of its own,
+/// inside. Those without area or with a repeated corner are left out; where TetGen fails, also those that
+/// only the rounding of single precision keeps from being flat. TetGen works in a process of its own,
 /// so that neither its crash, nor its memory, nor an endless loop is the caller's. May be called from several
 /// threads, also at the same time. Nothing is printed. The result is verified: all tetrahedra are positive
 /// and meet in faces, the triangles are faces (or covered by faces), volumes are those that the surface

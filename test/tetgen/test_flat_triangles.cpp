@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -96,6 +97,33 @@ TEST(FlatTriangles, AreLeftOutAndTheirNeighboursMeetInWholeEdges) {
     EXPECT_EQ(mesh.winding, std::vector<int>{1});
     EXPECT_NE(mesh.warnings.at(0).find(std::to_string(flat) + " triangle"), std::string::npos);
   }
+}
+
+TEST(FlatTriangles, OnesThatRoundingHasGivenAnAreaAreRepaired) {
+  std::size_t repaired = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    ClosedSurface surface = cube(8);
+    add_flat_triangles(surface, random() % 12, random() % 3, 1 + static_cast<int>(random() % 3), random);
+    std::uniform_real_distribution<double> angle(0, 6);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double c = std::cos(angle(random)), s = std::sqrt(1 - c * c);
+      for (Point& p : surface.points) {
+        const double x = p[axis], y = p[(axis + 1) % 3];
+        p[axis] = c * x - s * y, p[(axis + 1) % 3] = s * x + c * y;
+      }
+    }
+    for (Point& p : surface.points)
+      for (double& x : p) x = static_cast<double>(static_cast<float>(x));  // as an STL file has it
+    const tetgen::Tetrahedralization mesh = tetgen::tetrahedralize(surface.points, surface.triangles);
+    EXPECT_NEAR(facts_of(mesh).volume, 512, 1e-3);
+    EXPECT_EQ(facts_of(mesh).bad_faces, 0u);
+    repaired += mesh.facets.flat > 0;
+    for (const std::string& w : mesh.warnings)
+      EXPECT_NE(w.find("without area"), std::string::npos) << w;
+  }
+  EXPECT_GT(repaired, 5u) << "TetGen takes some as they are";
 }
 
 TEST(FlatTriangles, OnesThatNothingElseUsesAreDropped) {
