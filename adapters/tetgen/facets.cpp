@@ -28,18 +28,20 @@ Piece make_piece(const Corners& corners, Index triangle) {
 
 /// Cuts a triangle at the points that lie on its edges. What is cut first depends on the numbers of points
 /// only: two triangles with the same corners get the same pieces.
-void cut(const FlatTriangles& flat, const Corners& c, std::vector<Corners>& out) {
+void cut(const FlatTriangles& flat, const Corners& c, std::vector<Corners>& out, std::size_t depth = 0) {
   std::size_t best = 3;
-  std::array<Index, 2> least{no_index, no_index};
+  Corners least{no_index, no_index, no_index};  // the edge, by ascending corners, and the first point on it
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::array<Index, 2> edge{std::min(c[k], c[(k + 1) % 3]), std::max(c[k], c[(k + 1) % 3])};
-    if (edge < least && !flat.points_on(edge[0], edge[1]).empty()) best = k, least = edge;
+    const auto [low, high] = std::minmax({c[k], c[(k + 1) % 3]});
+    const std::vector<Index> between = flat.points_on(low, high, c[(k + 2) % 3]);
+    if (between.empty()) continue;
+    if (const Corners found{low, high, between.front()}; found < least) least = found, best = k;
   }
-  if (best == 3) return out.push_back(c);
-  const Index x = flat.points_on(least[0], least[1]).front();
-  const Index a = c[best], b = c[(best + 1) % 3], apex = c[(best + 2) % 3];
-  cut(flat, {a, x, apex}, out);
-  cut(flat, {x, b, apex}, out);
+  constexpr std::size_t most = 10'000;  // only triangles that intersect come so far
+  if (best == 3 || out.size() + depth > most) return out.push_back(c);
+  const Index a = c[best], b = c[(best + 1) % 3], apex = c[(best + 2) % 3], x = least[2];
+  cut(flat, {a, x, apex}, out, depth + 1);
+  cut(flat, {x, b, apex}, out, depth + 1);
 }
 
 std::vector<Piece> make_pieces(std::span<const Point> points, const FacetList& triangles, double least_height,

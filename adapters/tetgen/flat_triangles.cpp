@@ -50,13 +50,14 @@ FlatTriangles::FlatTriangles(std::span<const Point> points, std::span<const std:
   }
 }
 
-std::vector<Index> FlatTriangles::points_on(Index a, Index b) const {
-  const auto at_a = lines_at_.find(a), at_b = lines_at_.find(b);
-  if (at_a == lines_at_.end() || at_b == lines_at_.end()) return {};
+std::vector<Index> FlatTriangles::points_on(Index a, Index b, Index third) const {
+  const auto at_a = lines_at_.find(a);
+  if (at_a == lines_at_.end()) return {};
   for (const Index l : at_a->second) {
-    if (std::find(at_b->second.begin(), at_b->second.end(), l) == at_b->second.end()) continue;
     const auto& line = lines_[l];
-    auto i = std::find(line.begin(), line.end(), a), j = std::find(line.begin(), line.end(), b);
+    const auto place = [&](Index v) { return std::find(line.begin(), line.end(), v); };
+    auto i = place(a), j = place(b);
+    if (j == line.end() || place(third) != line.end()) continue;
     const bool forward = i < j;
     if (!forward) std::swap(i, j);
     std::vector<Index> between(i + 1, j);

@@ -21,8 +21,9 @@ class FlatTriangles {
   FlatTriangles(std::span<const Point> points, std::span<const std::array<Index, 3>> triangles,
                 const std::vector<bool>& used, double least_height);
 
-  /// The points strictly between a and b, from a to b; empty unless both are on a line together.
-  std::vector<Index> points_on(Index a, Index b) const;
+  /// The points strictly between two corners of a triangle, from a to b; none unless both are on a line
+  /// together, and the third corner is not: that would be flat as well, nearly.
+  std::vector<Index> points_on(Index a, Index b, Index third) const;
 
  private:
   std::span<const Point> points_;

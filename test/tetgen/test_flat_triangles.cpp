@@ -120,8 +120,7 @@ TEST(FlatTriangles, OnesThatRoundingHasGivenAnAreaAreRepaired) {
     EXPECT_NEAR(facts_of(mesh).volume, 512, 1e-3);
     EXPECT_EQ(facts_of(mesh).bad_faces, 0u);
     repaired += mesh.facets.flat > 0;
-    for (const std::string& w : mesh.warnings)
-      EXPECT_NE(w.find("without area"), std::string::npos) << w;
+    for (const std::string& w : mesh.warnings) EXPECT_NE(w.find("without area"), std::string::npos) << w;
   }
   EXPECT_GT(repaired, 5u) << "TetGen takes some as they are";
 }
