@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "adapters/io/group_tags.hpp"
 #include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/simplex_writer.hpp"
 #include "multimesh/error.hpp"
@@ -31,15 +32,22 @@ TaggedTetrahedra take_tetrahedra(DomainFile& file) {
     throw InputError(file.path.string() +
                      ": has no tetrahedron; `multimesh tetrahedralize` makes them of a closed surface");
   const auto n = static_cast<Index>(soup.points.size());
+  auto& [points, edges, triangles, tets] = soup.simplices;
   TaggedTetrahedra t;
   t.points = std::move(soup.points);
-  t.fixed = std::move(soup.simplices[0].corners);
-  t.edges = {1, n, std::move(soup.simplices[1].corners)};
-  t.edge_tags = std::move(soup.simplices[1].tags);
-  t.triangles = {2, n, std::move(soup.simplices[2].corners)};
-  t.patches = std::move(soup.simplices[2].tags);
-  t.tets = {3, n, std::move(soup.simplices[3].corners)};
-  t.regions = std::move(soup.simplices[3].tags);
+  t.point_tags = std::move(soup.point_tags);
+  t.fixed = std::move(points.corners);
+  t.fixed_tags = std::move(points.tags);
+  t.fixed_flags = std::move(points.flags);
+  t.edges = {1, n, std::move(edges.corners)};
+  t.edge_tags = std::move(edges.tags);
+  t.edge_flags = std::move(edges.flags);
+  t.triangles = {2, n, std::move(triangles.corners)};
+  t.patches = std::move(triangles.tags);
+  t.triangle_flags = std::move(triangles.flags);
+  t.tets = {3, n, std::move(tets.corners)};
+  t.regions = std::move(tets.tags);
+  t.tet_flags = std::move(tets.flags);
   return t;
 }
 
@@ -66,23 +74,58 @@ std::vector<std::string> warnings_of(const TetDomainReport& r) {
   add(r.inverted_tets, "tetrahedra have no or negative volume");
   add(r.missing_triangles, "listed triangles are no face of a tetrahedron; left out");
   add(r.missing_edges, "listed edges are no edge of a tetrahedron; left out");
+  add(r.missing_points, "listed points are no vertex of a tetrahedron; left out");
+  add(r.unused_points, "points of the file are no vertex of a tetrahedron; left out");
   return sentences;
 }
 
-void write_domain(const std::filesystem::path& path, const TetDomain& domain,
-                  const std::vector<io::SimplexSoup::Group>& groups, const DomainWriteOptions& options,
-                  std::vector<std::string>& warnings) {
-  TaggedTetrahedra t = domain.tagged();
+namespace {
+
+/// The simplices that are to be written. \return which of them the input does not list
+std::vector<std::size_t> add_block(io::SimplexSoup::Block& block, std::size_t k,
+                                   const std::vector<Index>& corners, const std::vector<std::int32_t>& tags,
+                                   const std::vector<std::uint8_t>& flags, bool with_unlisted) {
+  std::vector<std::size_t> unlisted;
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    const bool is_listed = (flags[i] & unlisted_simplex) == 0;
+    if (!is_listed && !with_unlisted) continue;
+    if (!is_listed) unlisted.push_back(block.size());
+    for (std::size_t c = 0; c <= k; ++c) block.corners.push_back(corners[(k + 1) * i + c]);
+    block.tags.push_back(tags[i]);
+    block.flags.push_back(flags[i] & (feature_simplex | required_simplex));
+  }
+  return unlisted;
+}
+
+io::SimplexSoup to_soup(TaggedTetrahedra t, const DomainGroups& groups, const DomainWriteOptions& options) {
   io::SimplexSoup soup;
+  soup.groups = groups.groups;
+  soup.tag_sets = groups.tag_sets;
   soup.points = std::move(t.points);
-  soup.simplices[0].corners = std::move(t.fixed);
-  soup.simplices[0].tags.assign(soup.simplices[0].corners.size(), 0);
-  soup.simplices[1] = {std::move(t.edges.corners), std::move(t.edge_tags), {}};
-  soup.simplices[2] = {std::move(t.triangles.corners), std::move(t.patches), {}};
-  soup.simplices[3] = {std::move(t.tets.corners), std::move(t.regions), {}};
-  soup.groups = groups;
+  if (std::ranges::any_of(t.point_tags, [](auto tag) { return tag != 0; }))
+    soup.point_tags = std::move(t.point_tags);
+  soup.simplices[3] = {std::move(t.tets.corners), std::move(t.regions), std::move(t.tet_flags)};
+  auto& [points, edges, triangles, tets] = soup.simplices;
+  const std::array<std::vector<std::size_t>, 3> unlisted = {
+      add_block(points, 0, t.fixed, t.fixed_tags, t.fixed_flags, options.unlisted[0]),
+      add_block(edges, 1, t.edges.corners, t.edge_tags, t.edge_flags, options.unlisted[1]),
+      add_block(triangles, 2, t.triangles.corners, t.patches, t.triangle_flags, options.unlisted[2])};
+  constexpr std::array<const char*, 3> names = {"fixed_points", "curves", "interfaces"};
+  io::UnusedTags unused(soup);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (unlisted[k].empty()) continue;
+    const std::int32_t tag = io::named_group(soup, static_cast<int>(k), names[k], unused);
+    for (const std::size_t i : unlisted[k]) soup.simplices[k].tags[i] = tag;
+  }
+  return soup;
+}
+
+}  // namespace
+
+void write_domain(const std::filesystem::path& path, const TetDomain& domain, const DomainGroups& groups,
+                  const DomainWriteOptions& options, std::vector<std::string>& warnings) {
   const auto told = io::write_simplices(
-      path, soup,
+      path, to_soup(domain.tagged(), groups, options),
       {.msh_version = options.msh_2 ? io::MshVersion::v2_2 : io::MshVersion::v4_1, .binary = !options.ascii});
   warnings.insert(warnings.end(), told.begin(), told.end());
 }

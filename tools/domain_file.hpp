@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -36,12 +37,20 @@ std::vector<std::string> warnings_of(const TetDomainReport& report);
 struct DomainWriteOptions {
   bool ascii = false;
   bool msh_2 = false;
+  /// By dimension: also what the input does not list, in a group of its own: points where sheets touch,
+  /// curves, interfaces. It follows from the tags, but for sharp curves.
+  std::array<bool, 3> unlisted{};
 };
 
-/// Writes the domain with the names of the groups; what the format has no room for is told in `warnings`.
+/// What the tags of a domain mean.
+struct DomainGroups {
+  std::vector<io::SimplexSoup::Group> groups;
+  std::vector<io::SimplexSoup::TagSet> tag_sets;
+};
+
+/// Writes the domain with its groups. What the format has no room for is told in `warnings`.
 /// \throw InputError
-void write_domain(const std::filesystem::path& path, const TetDomain& domain,
-                  const std::vector<io::SimplexSoup::Group>& groups, const DomainWriteOptions& options,
-                  std::vector<std::string>& warnings);
+void write_domain(const std::filesystem::path& path, const TetDomain& domain, const DomainGroups& groups,
+                  const DomainWriteOptions& options, std::vector<std::string>& warnings);
 
 }  // namespace multimesh::tools

@@ -57,6 +57,8 @@ FilledSurface with_names(tetgen::Tetrahedralization filled, DomainFile& file) {
   t.patches = naming.face_tags;
   t.edges.corners = file.soup.simplices[1].corners;
   t.edge_tags = file.soup.simplices[1].tags;
+  t.fixed = file.soup.simplices[0].corners;
+  t.fixed_tags = file.soup.simplices[0].tags;
   t.triangles.vertices = t.edges.vertices = static_cast<Index>(filled.points.size());
   t.points = std::move(filled.points);
   t.tets = std::move(filled.tets);

@@ -122,7 +122,8 @@ void run(ImproveArguments a) {
     }
   }();
   write_if_same_mesh(a.output, before, domain, [&](const std::filesystem::path& path) {
-    write_domain(path, domain, file.soup.groups, {a.ascii, a.msh_2}, file.warnings);
+    write_domain(path, domain, {file.soup.groups, file.soup.tag_sets},
+                 {a.ascii, a.msh_2, {false, a.feature_angle > 0, false}}, file.warnings);
   });
   for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
   if (!a.json.empty()) {

@@ -52,6 +52,7 @@ class ElementReader {
   /// The first tag is the physical one, the second the entity; the others are partitions.
   void element(const CellType& type, std::size_t tags, std::int32_t number) {
     MshSource& in = content_.in;
+    if (tags > 2) content_.has_partitions = true;
     std::array<std::int32_t, 2> kept{};
     for (std::size_t i = 0; i < tags; ++i) {
       const std::int32_t tag = in.integer("a tag of an element");
@@ -78,7 +79,11 @@ std::vector<double> affine(WordSource& words) {
 
 }  // namespace
 
-void read_msh2_nodes(MshContent& content) {
+namespace {
+
+/// `after(in)` reads what follows the coordinates.
+template <class After>
+void read_nodes(MshContent& content, const After& after) {
   MshSource& in = content.in;
   const std::size_t count = in.words().count("nodes", in.binary() ? 28 : 8);
   in.begin_data();
@@ -87,8 +92,25 @@ void read_msh2_nodes(MshContent& content) {
     const std::uint64_t number = node_number(content);
     std::array<double, 3> point{};
     for (double& x : point) x = in.real("a coordinate");
-    content.add_point(number, point);
+    after(in);
+    content.add_point(number, point, in.where(number));
   }
+}
+
+}  // namespace
+
+void read_msh2_nodes(MshContent& content) {
+  read_nodes(content, [](MshSource&) {});
+}
+
+/// Behind each node, its entity and its parameters on that, which we have no use for.
+void read_msh2_parametric_nodes(MshContent& content) {
+  read_nodes(content, [](MshSource& in) {
+    const std::int32_t dimension = in.integer("the dimension of an entity");
+    in.integer("the tag of an entity");
+    if (dimension != 1 && dimension != 2) return;
+    for (std::int32_t i = 0; i < dimension; ++i) in.real("a parametric coordinate");
+  });
 }
 
 void read_msh2_elements(MshContent& content) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <limits>
+#include <map>
+#include <span>
 
+#include "adapters/io/group_tags.hpp"
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/msh_entities.hpp"
 #include "adapters/io/msh_sink.hpp"
@@ -9,10 +12,25 @@
 namespace multimesh::io {
 namespace {
 
+/// The groups of each tag of one dimension.
+using Groups = std::map<std::int32_t, std::vector<std::int32_t>>;
+
+Groups groups_by_tag(const SimplexSoup& soup, std::size_t dimension) {
+  Groups groups;
+  for (const std::int32_t tag : soup.simplices[dimension].tags)
+    if (!groups.contains(tag)) groups.emplace(tag, groups_of(soup, static_cast<int>(dimension), tag));
+  return groups;
+}
+
+/// An element is listed once for each of its groups.
+std::size_t element_count(const SimplexSoup::Block& block, const Groups& groups) {
+  std::size_t count = 0;
+  for (const std::int32_t tag : block.tags) count += groups.at(tag).size();
+  return count;
+}
+
 /// Numbers of points and elements have 31 bits.
-void check_sizes(const SimplexSoup& soup, const std::string& file) {
-  std::size_t elements = 0;
-  for (const SimplexSoup::Block& block : soup.simplices) elements += block.size();
+void check_sizes(const SimplexSoup& soup, std::size_t elements, const std::string& file) {
   constexpr auto most = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
   if (elements > most || soup.points.size() > most)
     fail_file(file,
@@ -31,25 +49,35 @@ void put_nodes(MshSink& sink, const SimplexSoup& soup) {
   sink.end_section("Nodes");
 }
 
+struct Element {
+  std::span<const std::uint32_t> corners;
+  std::int32_t physical, entity;
+};
+
+void put_element(MshSink& sink, const Element& element, std::int32_t number) {
+  sink.integer(number);
+  if (!sink.binary()) {
+    sink.integer(msh_types[element.corners.size() - 1]);
+    sink.integer(2);
+  }
+  sink.integer(element.physical);
+  sink.integer(element.entity);
+  for (const std::uint32_t corner : element.corners) sink.integer(static_cast<std::int32_t>(corner + 1));
+  sink.end_line();
+}
+
 /// In binary a block of one type, in text each on its line; `number` goes on over all dimensions.
-void put_block(MshSink& sink, const SimplexSoup::Block& block, const std::vector<std::int32_t>& entities,
-               std::size_t dimension, std::int32_t& number) {
+void put_block(MshSink& sink, const SimplexSoup::Block& block, const Groups& groups,
+               const std::vector<std::int32_t>& entities, std::size_t dimension, std::int32_t& number) {
   if (sink.binary() && block.size() != 0) {
     sink.integer(msh_types[dimension]);
-    sink.integer(static_cast<std::int32_t>(block.size()));
+    sink.integer(static_cast<std::int32_t>(element_count(block, groups)));
     sink.integer(2);
   }
   for (std::size_t i = 0; i < block.size(); ++i) {
-    sink.integer(++number);
-    if (!sink.binary()) {
-      sink.integer(msh_types[dimension]);
-      sink.integer(2);
-    }
-    sink.integer(block.tags[i]);  // the physical tag
-    sink.integer(entities[i]);
-    for (std::size_t c = 0; c <= dimension; ++c)
-      sink.integer(static_cast<std::int32_t>(block.corners[(dimension + 1) * i + c] + 1));
-    sink.end_line();
+    const auto corners = std::span(block.corners).subspan((dimension + 1) * i, dimension + 1);
+    for (const std::int32_t group : groups.at(block.tags[i]))
+      put_element(sink, {corners, group, entities[i]}, ++number);
   }
 }
 
@@ -84,19 +112,24 @@ void put_periodic(MshSink& sink, const SimplexSoup& soup) {
 }  // namespace
 
 void put_msh2(OutputBuffer& out, const SimplexSoup& soup, bool binary, const std::string& file, Lost& lost) {
-  check_sizes(soup, file);
+  std::array<Groups, 4> groups;
+  std::size_t elements = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    groups[k] = groups_by_tag(soup, k);
+    elements += element_count(soup.simplices[k], groups[k]);
+  }
+  check_sizes(soup, elements, file);
   MshSink sink(out, binary);
   sink.header("2.2");
   sink.physical_names(soup);
   put_nodes(sink, soup);
-  std::size_t elements = 0;
-  for (const SimplexSoup::Block& block : soup.simplices) elements += block.size();
   sink.text("$Elements\n");
   sink.text_number(elements);
   sink.text("\n");
   std::int32_t number = 0;
   const std::array<MshEntities, 4> entities = msh_entities(soup);
-  for (std::size_t k = 0; k < 4; ++k) put_block(sink, soup.simplices[k], entities[k].of_simplex, k, number);
+  for (std::size_t k = 0; k < 4; ++k)
+    put_block(sink, soup.simplices[k], groups[k], entities[k].of_simplex, k, number);
   sink.end_section("Elements");
   put_periodic(sink, soup);
   if (!soup.point_tags.empty()) lost.push_back("tags of points");

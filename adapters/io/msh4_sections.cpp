@@ -21,34 +21,55 @@ std::int32_t physical_tag(std::int32_t signed_tag) {
   return signed_tag < -2147483647 ? signed_tag : std::abs(signed_tag);
 }
 
-void read_entity(MshContent& content, int dimension) {
+/// What comes behind its tag.
+void read_entity(MshContent& content, int dimension, ReadEntity& entity) {
   MshSource& in = content.in;
-  const std::int32_t tag = in.integer("the tag of an entity");
   const int box = dimension == 0 ? 3 : 6;
   for (int i = 0; i < box; ++i) in.real("the bounding box of an entity");
-  const std::size_t physicals = in.count("physical tags", 1);
-  for (std::size_t i = 0; i < physicals; ++i) {
-    const std::int32_t physical = physical_tag(in.integer("a physical tag"));
-    if (i == 0) content.physical_of_entity[{dimension, tag}] = physical;
-  }
-  if (physicals > 1) ++content.out.notes().several_tags;
+  for (std::size_t n = in.count("physical tags", 1); n > 0; --n)
+    entity.physicals.push_back(physical_tag(in.integer("a physical tag")));
   if (dimension == 0) return;
   for (std::size_t n = in.count("bounding entities", 1); n > 0; --n) in.integer("a bounding entity");
 }
 
-void read_node_block(MshContent& content, std::vector<std::uint64_t>& numbers) {
+/// A part of an entity, which is called the parent.
+void read_partitioned_entity(MshContent& content, int dimension) {
+  MshSource& in = content.in;
+  const std::int32_t tag = in.integer("the tag of an entity");
+  const std::int32_t parent_dimension = in.integer("the dimension of a parent");
+  const std::int32_t parent = in.integer("the tag of a parent");
+  for (std::size_t n = in.count("partitions", 1); n > 0; --n) in.integer("a partition");
+  ReadEntity entity;
+  read_entity(content, dimension, entity);
+  entity.tag = parent;
+  entity.is_partition_border = parent_dimension > dimension;
+  content.entities[{dimension, tag}] = entity;
+}
+
+std::array<std::size_t, 4> entity_counts(MshSource& in) {
+  std::array<std::size_t, 4> counts{};
+  for (std::size_t& count : counts) count = in.count("entities", 4);
+  return counts;
+}
+
+/// The nodes of all blocks, as they come.
+struct Nodes {
+  std::vector<std::uint64_t> numbers, where;
+  std::vector<std::array<double, 3>> points;
+};
+
+void read_node_block(MshContent& content, Nodes& nodes) {
   MshSource& in = content.in;
   const int dimension = entity_dimension(in);
   in.integer("the tag of an entity");
   const bool parametric = in.integer("whether nodes are parametric") != 0;
   const std::size_t count = in.count("nodes", 4);
-  numbers.clear();
-  for (std::size_t i = 0; i < count; ++i) numbers.push_back(in.size("the number of a node"));
-  for (const std::uint64_t number : numbers) {
-    std::array<double, 3> point{};
-    for (double& x : point) x = in.real("a coordinate");
+  for (std::size_t i = 0; i < count; ++i) nodes.numbers.push_back(in.size("the number of a node"));
+  while (nodes.points.size() < nodes.numbers.size()) {
+    const std::uint64_t number = nodes.numbers[nodes.points.size()];
+    for (double& x : nodes.points.emplace_back()) x = in.real("a coordinate");
     for (int i = 0; parametric && i < dimension; ++i) in.real("a parametric coordinate");
-    content.add_point(number, point);
+    nodes.where.push_back(in.where(number));
   }
 }
 
@@ -59,14 +80,20 @@ void read_element_block(MshContent& content, std::vector<std::uint32_t>& nodes) 
   const std::int32_t type_number = in.integer("the type of elements");
   const CellType& type = content.element_type(type_number, in.where(0));
   const std::size_t count = in.count("elements", 1 + std::size_t{type.nodes});
-  const auto found = content.physical_of_entity.find({dimension, entity});
-  const std::int32_t physical = found == content.physical_of_entity.end() ? 0 : found->second;
+  const auto found = content.entities.find({dimension, entity});
+  const ReadEntity known = found == content.entities.end() ? ReadEntity{entity, {}, false} : found->second;
+  if (known.is_partition_border) content.border_elements += count;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::uint64_t where = in.where(in.size("the number of an element"));
+    const std::uint64_t number = in.size("the number of an element"), where = in.where(number);
+    content.set_number(number);
     nodes.clear();
     for (int n = 0; n < type.nodes; ++n)
       nodes.push_back(content.point(in.size("the number of a node"), where));
-    content.add_element(type, nodes, physical, entity, where);
+    if (known.is_partition_border) continue;
+    if (known.physicals.empty()) content.add_element(type, nodes, 0, known.tag, where);
+    // Once for each group, as version 2.2 lists it.
+    for (const std::int32_t physical : known.physicals)
+      content.add_element(type, nodes, physical, known.tag, where);
   }
 }
 
@@ -85,16 +112,32 @@ std::size_t block_count(MshSource& in, std::string_view what) {
 void read_msh4_entities(MshContent& content) {
   MshSource& in = content.in;
   in.begin_data();
-  std::array<std::size_t, 4> counts{};
-  for (std::size_t& count : counts) count = in.count("entities", 4);
+  const std::array<std::size_t, 4> counts = entity_counts(in);
+  for (int dimension = 0; dimension < 4; ++dimension)
+    for (std::size_t n = counts[static_cast<std::size_t>(dimension)]; n > 0; --n) {
+      const std::int32_t tag = in.integer("the tag of an entity");
+      read_entity(content, dimension, content.entities[{dimension, tag}] = {tag, {}, false});
+    }
+}
+
+void read_msh4_partitions(MshContent& content) {
+  MshSource& in = content.in;
+  in.begin_data();
+  content.has_partitions = in.size("the number of partitions") > 0;
+  for (std::size_t n = in.count("ghost entities", 2); n > 0; --n) {
+    in.integer("the tag of a ghost entity");
+    in.integer("a partition");
+  }
+  const std::array<std::size_t, 4> counts = entity_counts(in);
   for (int dimension = 0; dimension < 4; ++dimension)
     for (std::size_t n = counts[static_cast<std::size_t>(dimension)]; n > 0; --n)
-      read_entity(content, dimension);
+      read_partitioned_entity(content, dimension);
 }
 
 void read_msh4_nodes(MshContent& content) {
-  std::vector<std::uint64_t> numbers;
-  for (std::size_t n = block_count(content.in, "nodes"); n > 0; --n) read_node_block(content, numbers);
+  Nodes nodes;
+  for (std::size_t n = block_count(content.in, "nodes"); n > 0; --n) read_node_block(content, nodes);
+  content.add_points(nodes.numbers, nodes.points, nodes.where);
 }
 
 void read_msh4_elements(MshContent& content) {

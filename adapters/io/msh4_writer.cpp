@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/io/input_location.hpp"
+#include <map>
+#include <span>
+
+#include "adapters/io/group_tags.hpp"
 #include "adapters/io/msh_entities.hpp"
 #include "adapters/io/msh_sink.hpp"
 #include "adapters/io/simplex_format_writers.hpp"
@@ -9,107 +12,112 @@ namespace {
 
 using Entities = std::array<MshEntities, 4>;
 
-void check_tags(const SimplexSoup& soup, const std::string& file) {
-  for (const SimplexSoup::Block& block : soup.simplices)
-    for (const std::int32_t tag : block.tags)
-      if (tag < 0)
-        fail_file(file,
-                  "tag " + std::to_string(tag) +
-                      " is negative, which version 4.1 of Gmsh's format takes for a reversed orientation; "
-                      "write version 2.2, or renumber the tags");
-}
-
-void put_entity(MshSink& sink, std::size_t dimension, std::int32_t number, const MshEntity& entity) {
+void put_entity(MshSink& sink, const SimplexSoup& soup, std::size_t dimension, std::int32_t number,
+                const MshEntity& entity) {
   sink.integer(number);
   for (const double x : entity.low) sink.real(x);
   if (dimension != 0)
     for (const double x : entity.high) sink.real(x);
-  sink.size(entity.physical != 0 ? 1 : 0);  // physical tags
-  if (entity.physical != 0) sink.integer(entity.physical);
+  std::vector<std::int32_t> physicals;
+  if (entity.physical != 0) physicals = groups_of(soup, static_cast<int>(dimension), entity.physical);
+  sink.size(physicals.size());
+  for (const std::int32_t physical : physicals) sink.integer(physical);
   if (dimension != 0) sink.size(0);  // bounding entities
   sink.end_line();
 }
 
-void put_entities(MshSink& sink, const Entities& entities) {
+void put_entities(MshSink& sink, const SimplexSoup& soup, const Entities& entities) {
   sink.text("$Entities\n");
   for (const MshEntities& e : entities) sink.size(e.by_number.size());
   sink.end_line();
   for (std::size_t k = 0; k < 4; ++k)
-    for (const auto& [number, entity] : entities[k].by_number) put_entity(sink, k, number, entity);
+    for (const auto& [number, entity] : entities[k].by_number) put_entity(sink, soup, k, number, entity);
   sink.end_section("Entities");
 }
 
-/// All in one block, of the first simplex of the largest dimension: to which entity a point belongs is not
-/// known.
+/// Points or simplices by the entity that they are in, each entity's in their order: blocks of the file.
+using Blocks = std::map<std::int32_t, std::vector<std::uint32_t>>;
+
+/// A point is in the entity of lowest dimension that has a simplex at it; one without a simplex, in the first
+/// entity of the mesh.
+std::array<Blocks, 4> node_blocks(const SimplexSoup& soup, const Entities& entities) {
+  const auto highest = static_cast<std::size_t>(soup.dimension());
+  std::vector<std::uint8_t> dimension(soup.points.size(), static_cast<std::uint8_t>(highest));
+  std::vector<std::int32_t> entity(soup.points.size(), entities[highest].of_simplex.front());
+  for (std::size_t k = highest + 1; k-- > 0;)
+    for (std::size_t c = 0; c < soup.simplices[k].corners.size(); ++c) {
+      const std::uint32_t point = soup.simplices[k].corners[c];
+      dimension[point] = static_cast<std::uint8_t>(k);
+      entity[point] = entities[k].of_simplex[c / (k + 1)];
+    }
+  std::array<Blocks, 4> blocks;
+  for (std::uint32_t i = 0; i < soup.points.size(); ++i) blocks[dimension[i]][entity[i]].push_back(i);
+  return blocks;
+}
+
+/// The numbers that begin $Nodes and $Elements.
+void put_counts(MshSink& sink, std::string_view section, const std::array<Blocks, 4>& blocks) {
+  std::size_t count = 0, entries = 0;
+  for (const Blocks& of_dimension : blocks) {
+    count += of_dimension.size();
+    for (const auto& [entity, members] : of_dimension) entries += members.size();
+  }
+  sink.text(section);
+  for (const std::size_t value : {count, entries, std::size_t{1}, entries}) sink.size(value);
+  sink.end_line();
+}
+
+/// Numbers of nodes are those of their order in the soup.
 void put_nodes(MshSink& sink, const SimplexSoup& soup, const Entities& entities) {
-  const auto dimension = static_cast<std::size_t>(soup.dimension());
-  const std::size_t count = soup.points.size();
-  sink.text("$Nodes\n");
-  for (const std::uint64_t value :
-       {std::uint64_t{1}, std::uint64_t{count}, std::uint64_t{1}, std::uint64_t{count}})
-    sink.size(value);
-  sink.end_line();
-  sink.integer(static_cast<std::int32_t>(dimension));
-  sink.integer(entities[dimension].of_simplex.front());
-  sink.integer(0);  // not parametric
-  sink.size(count);
-  sink.end_line();
-  for (std::size_t i = 1; i <= count; ++i) {
-    sink.size(i);
-    sink.end_line();
-  }
-  for (const auto& point : soup.points) {
-    for (const double x : point) sink.real(x);
-    sink.end_line();
-  }
+  const std::array<Blocks, 4> blocks = node_blocks(soup, entities);
+  put_counts(sink, "$Nodes\n", blocks);
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const auto& [entity, points] : blocks[k]) {
+      sink.integer(static_cast<std::int32_t>(k));
+      sink.integer(entity);
+      sink.integer(0);  // not parametric
+      sink.size(points.size());
+      sink.end_line();
+      for (const std::uint32_t i : points) {
+        sink.size(std::uint64_t{i} + 1);
+        sink.end_line();
+      }
+      for (const std::uint32_t i : points) {
+        for (const double x : soup.points[i]) sink.real(x);
+        sink.end_line();
+      }
+    }
   sink.end_section("Nodes");
 }
 
-/// Where the run of simplices of one entity that begins at `begin` ends. Runs are blocks, so that elements
-/// keep their order.
-std::size_t run_end(const std::vector<std::int32_t>& entity, std::size_t begin) {
-  std::size_t end = begin;
-  while (end < entity.size() && entity[end] == entity[begin]) ++end;
-  return end;
-}
-
-std::size_t run_count(const std::vector<std::int32_t>& entity) {
-  std::size_t count = 0;
-  for (std::size_t begin = 0; begin < entity.size(); begin = run_end(entity, begin)) ++count;
-  return count;
-}
-
-void put_run(MshSink& sink, const SimplexSoup::Block& block, std::size_t dimension, std::int32_t entity,
-             std::size_t begin, std::size_t end, std::uint64_t& number) {
-  sink.integer(static_cast<std::int32_t>(dimension));
-  sink.integer(entity);
-  sink.integer(msh_types[dimension]);
-  sink.size(end - begin);
-  sink.end_line();
-  for (std::size_t i = begin; i < end; ++i) {
-    sink.size(++number);
-    for (std::size_t c = 0; c <= dimension; ++c)
-      sink.size(std::uint64_t{block.corners[(dimension + 1) * i + c]} + 1);
+/// Simplices have the numbers of their order in the soup, after those of lower dimension, from `number`.
+void put_block(MshSink& sink, const SimplexSoup::Block& block, std::size_t dimension,
+               const std::vector<std::uint32_t>& members, std::uint64_t number) {
+  for (const std::uint32_t i : members) {
+    sink.size(number + i);
+    for (const std::uint32_t corner : std::span(block.corners).subspan((dimension + 1) * i, dimension + 1))
+      sink.size(std::uint64_t{corner} + 1);
     sink.end_line();
   }
 }
 
 void put_elements(MshSink& sink, const SimplexSoup& soup, const Entities& entities) {
-  std::size_t blocks = 0, elements = 0;
-  for (const MshEntities& e : entities) {
-    blocks += run_count(e.of_simplex);
-    elements += e.of_simplex.size();
-  }
-  sink.text("$Elements\n");
-  for (const std::size_t value : {blocks, elements, std::size_t{1}, elements}) sink.size(value);
-  sink.end_line();
-  std::uint64_t number = 0;
+  std::array<Blocks, 4> blocks;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::uint32_t i = 0; i < soup.simplices[k].size(); ++i)
+      blocks[k][entities[k].of_simplex[i]].push_back(i);
+  put_counts(sink, "$Elements\n", blocks);
+  std::uint64_t number = 1;
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::vector<std::int32_t>& entity = entities[k].of_simplex;
-    for (std::size_t begin = 0, end = 0; begin < entity.size(); begin = end) {
-      end = run_end(entity, begin);
-      put_run(sink, soup.simplices[k], k, entity[begin], begin, end, number);
+    for (const auto& [entity, members] : blocks[k]) {
+      sink.integer(static_cast<std::int32_t>(k));
+      sink.integer(entity);
+      sink.integer(msh_types[k]);
+      sink.size(members.size());
+      sink.end_line();
+      put_block(sink, soup.simplices[k], k, members, number);
     }
+    number += soup.simplices[k].size();
   }
   sink.end_section("Elements");
 }
@@ -142,13 +150,12 @@ void put_periodic(MshSink& sink, const SimplexSoup& soup) {
 
 }  // namespace
 
-void put_msh4(OutputBuffer& out, const SimplexSoup& soup, bool binary, const std::string& file, Lost& lost) {
-  check_tags(soup, file);
+void put_msh4(OutputBuffer& out, const SimplexSoup& soup, bool binary, Lost& lost) {
   const Entities entities = msh_entities(soup);
   MshSink sink(out, binary);
   sink.header("4.1");
   sink.physical_names(soup);
-  put_entities(sink, entities);
+  put_entities(sink, soup, entities);
   put_nodes(sink, soup, entities);
   put_elements(sink, soup, entities);
   put_periodic(sink, soup);

@@ -2,6 +2,7 @@
 #include "adapters/io/msh_content.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "adapters/io/msh_element_types.hpp"
 
@@ -12,12 +13,35 @@ bool is_tagged(std::int32_t tag) {
   return tag != 0;
 }
 
+/// Ascending where the numbers are 1 to n, each once; as they come otherwise.
+std::vector<std::size_t> order_of(std::span<const std::uint64_t> numbers) {
+  const std::size_t n = numbers.size();
+  std::vector<std::size_t> order(n, n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint64_t number = numbers[i];
+    if (number < 1 || number > n || order[number - 1] != n) {
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      return order;
+    }
+    order[number - 1] = i;
+  }
+  return order;
+}
+
 }  // namespace
 
-void MshContent::add_point(std::uint64_t number, const std::array<double, 3>& point) {
-  out.add_point(point, in.where(number));
+void MshContent::add_point(std::uint64_t number, const std::array<double, 3>& point, std::uint64_t where) {
+  out.add_point(point, where);
   if (!numbers_.add(number))
-    out.fail(in.where(number), "there are two nodes of number " + std::to_string(number) + "; renumber them");
+    out.fail(where, "there are two nodes of number " + std::to_string(number) + "; renumber them");
+}
+
+void MshContent::add_points(std::span<const std::uint64_t> numbers,
+                            std::span<const std::array<double, 3>> points,
+                            std::span<const std::uint64_t> where) {
+  const std::vector<std::size_t> order = order_of(numbers);
+  out.reserve_points(numbers.size());
+  for (const std::size_t i : order) add_point(numbers[i], points[i], where[i]);
 }
 
 std::uint32_t MshContent::point(std::uint64_t number, std::uint64_t where) const {
@@ -38,10 +62,30 @@ const CellType& MshContent::element_type(std::int64_t number, std::uint64_t wher
 void MshContent::add_element(const CellType& type, std::span<const std::uint32_t> nodes,
                              std::int32_t physical, std::int32_t entity, std::uint64_t where) {
   add_cell(out, type, nodes, physical, where);
-  if (type.shape == CellShape::quad)
-    polygon_entity_tags_.push_back(entity);
-  else
-    entity_tags_[static_cast<std::size_t>(dimension_of(type.shape))].push_back(entity);
+  if (type.shape == CellShape::quad) return polygon_entity_tags_.push_back(entity);
+  const auto k = static_cast<std::size_t>(dimension_of(type.shape));
+  entity_tags_[k].push_back(entity);
+  numbers_of_[k].push_back(number_);
+}
+
+void MshContent::sort_elements() {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::vector<std::uint64_t>& numbers = numbers_of_[k];
+    if (std::ranges::is_sorted(numbers)) continue;
+    std::vector<std::size_t> order(numbers.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i]; });
+    out.reorder(static_cast<int>(k), order);
+  }
+}
+
+void MshContent::finish() {
+  choose_tags();
+  sort_elements();
+  if (has_partitions)
+    out.warn("the partitions are dropped" +
+             (border_elements == 0 ? std::string()
+                                   : ", and " + std::to_string(border_elements) + " elements between them"));
 }
 
 void MshContent::choose_tags() {

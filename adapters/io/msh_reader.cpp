@@ -30,6 +30,8 @@ SectionReader reader_of(const std::string& section, int version) {
   if (section == "Elements") return new_one ? read_msh4_elements : read_msh2_elements;
   if (section == "Periodic") return new_one ? read_msh4_periodic : read_msh2_periodic;
   if (section == "Entities" && new_one) return read_msh4_entities;
+  if (section == "PartitionedEntities" && new_one) return read_msh4_partitions;
+  if (section == "ParametricNodes" && !new_one) return read_msh2_parametric_nodes;
   return nullptr;
 }
 
@@ -52,7 +54,7 @@ SimplexSoup parse_msh(std::string_view bytes, const std::filesystem::path& path,
     }
   }
   if (!has_elements) source.words().fail_truncated("the section $Elements");
-  content.choose_tags();
+  content.finish();
   return builder.finish(options);
 }
 

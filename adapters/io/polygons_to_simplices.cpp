@@ -49,6 +49,7 @@ SimplexSoup to_simplices(PolygonSoup polygons, const std::filesystem::path& path
                          const ReadOptions& options) {
   SimplexBuilder builder(path.string(), SimplexBuilder::Where::element, 0);
   const TriangleSoup cut = triangulate(polygons);
+  builder.keep_repeated();
   builder.reserve(2, cut.triangles.size());
   SectionTags tags(polygons);
   for (std::size_t t = 0; t < cut.triangles.size(); ++t) {

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "adapters/io/input_location.hpp"
+#include "adapters/io/repeated_simplices.hpp"
+#include "adapters/io/simplex_names.hpp"
 #include "adapters/io/triangulate.hpp"
 
 namespace multimesh::io {
 namespace {
-
-constexpr std::array<const char*, 4> names = {"vertex", "edge", "triangle", "tetrahedron"};
-constexpr std::array<const char*, 4> plurals = {"vertices", "edges", "triangles", "tetrahedra"};
 
 bool has_repeated(std::span<const std::uint32_t> corners) {
   for (std::size_t i = 1; i < corners.size(); ++i)
@@ -74,10 +74,20 @@ void SimplexBuilder::add_flag(int dimension, std::int64_t number, SimplexFlag fl
   SimplexSoup::Block& block = soup_.simplices[k];
   const std::int64_t i = number - first_index_;
   if (i < 0 || static_cast<std::uint64_t>(i) >= block.size())
-    fail(where, std::string(names[k]) + " number " + std::to_string(number) +
+    fail(where, std::string(simplex_names[k]) + " number " + std::to_string(number) +
                     " is out of range; the file has " + std::to_string(block.size()) + ", correct the list");
   block.flags.resize(block.size());
   block.flags[static_cast<std::size_t>(i)] |= flag;
+}
+
+void SimplexBuilder::reorder(int dimension, std::span<const std::size_t> order) {
+  const auto k = static_cast<std::size_t>(dimension);
+  SimplexSoup::Block& block = soup_.simplices[k];
+  const std::vector<std::uint64_t> where = std::move(simplex_where_[k]);
+  const SimplexSoup::Block before = std::exchange(block, {});
+  simplex_where_[k] = {};
+  for (const std::size_t i : order)
+    add(dimension, std::span(before.corners).subspan((k + 1) * i, k + 1), before.tags[i], where[i]);
 }
 
 void SimplexBuilder::left_out(std::string_view name, std::size_t count) {
@@ -94,6 +104,7 @@ SimplexSoup SimplexBuilder::finish(const ReadOptions& options) {
   for (SimplexSoup::Block& block : soup_.simplices)
     if (!block.flags.empty()) block.flags.resize(block.size());
   if (!soup_.point_tags.empty()) soup_.point_tags.resize(soup_.points.size());
+  if (!keeps_repeated_) unite_repeated_simplices(soup_);
   count_unused();
   add_warnings();
   return std::move(soup_);
@@ -162,9 +173,9 @@ void SimplexBuilder::remove_repeated(int dimension, const ReadOptions& options) 
     ++kept;
   }
   if (kept == total) return;
-  const std::string count =
-      std::to_string(total - kept) + " of " + std::to_string(total) + " " + plurals[k] + " in the file";
-  const std::string message = std::string("the ") + names[k] + " names a point twice";
+  const std::string count = std::to_string(total - kept) + " of " + std::to_string(total) + " " +
+                            simplex_plurals[k] + " in the file";
+  const std::string message = std::string("the ") + simplex_names[k] + " names a point twice";
   if (static_cast<double>(total - kept) > options.max_collapsed_share * static_cast<double>(total))
     fail(simplex_where_[k][first], message + " (" + count + "); remove such elements");
   soup_.warnings.push_back(place(simplex_where_[k][first]) + ": " + message + " and is left out; " + count);
@@ -188,8 +199,8 @@ void SimplexBuilder::add_warnings() {
   };
   say(n.high_order, " elements are of higher order; their corners are kept, and no other of their points");
   say(n.cut_polygons, " polygons of four or more corners are cut into triangles");
-  say(n.several_tags, " entities have more than one physical tag; the first is kept");
-  say(n.unused_points, " points belong to no element; they are kept");
+  say(n.doubled, " elements are listed again with the same points and tag; they are left out");
+  say(n.unused_points, " points belong to no element");
   if (left_out_.empty()) return;
   std::string list;
   for (const auto& [name, count] : left_out_) {

@@ -43,16 +43,22 @@ class SimplexBuilder {
   /// Sets flags of the simplex that the file calls `number`, of those that are added so far.
   void add_flag(int dimension, std::int64_t number, SimplexFlag flag, std::uint64_t where);
 
+  /// Puts the simplices of one dimension into this order, of their indices. \pre none has flags
+  void reorder(int dimension, std::span<const std::size_t> order);
+
   /// A thing that is not kept, by its name; one warning lists them.
   void left_out(std::string_view name, std::size_t count = 1);
   void warn(const std::string& message) { soup_.warnings.push_back(file_ + ": " + message); }
   SimplexNotes& notes() { return soup_.notes; }
   /// For tags, groups and periodic links, which are the reader's own affair.
   SimplexSoup& soup() { return soup_; }
+  /// Leaves it to others what simplices of the same points are.
+  void keep_repeated() { keeps_repeated_ = true; }
   /// Of the polygons that were added and are not triangles, in their order.
   std::vector<std::int32_t>& polygon_tags() { return polygon_tags_; }
 
-  /// Checks every index, cuts polygons into triangles, and removes simplices that name a vertex twice.
+  /// Checks every index, cuts polygons into triangles, removes simplices that name a vertex twice, and makes
+  /// one of those with the same points (unite_repeated_simplices).
   /// \throw InputError for a point that is not there, more repeated vertices than `options` allows, and when
   ///   there is no simplex at all.
   SimplexSoup finish(const ReadOptions& options);
@@ -72,6 +78,7 @@ class SimplexBuilder {
   std::string file_;
   Where where_;
   int first_index_;
+  bool keeps_repeated_ = false;
   std::array<std::vector<std::uint64_t>, 4> simplex_where_;
   std::vector<std::uint32_t> polygon_corners_;
   std::vector<std::size_t> polygon_begin_ = {0};

@@ -21,7 +21,7 @@ struct SimplexNotes {
   std::size_t cut_polygons = 0;     ///< polygons of four or more corners, cut into triangles
   std::size_t repeated_vertex = 0;  ///< simplices that name a vertex twice, left out
   std::size_t left_out = 0;         ///< sections, arrays and elements that we do not know, left out
-  std::size_t several_tags = 0;     ///< entities with more than one physical tag, of which one is kept
+  std::size_t doubled = 0;          ///< simplices listed again with the same tag, left out
   std::size_t merged_points = 0;    ///< vertices of an STL file that were joined with an equal one
   std::size_t unused_points = 0;    ///< points that no simplex names, kept
   std::size_t entity_tags = 0;      ///< simplices tagged by their geometrical entity (MSH)
@@ -49,6 +49,14 @@ struct SimplexSoup {
     friend bool operator==(const Group&, const Group&) = default;
   };
 
+  /// A tag that stands for several groups at once: its simplices are in each of them.
+  struct TagSet {
+    int dimension = 0;
+    std::int32_t tag = 0;
+    std::vector<std::int32_t> groups;  ///< two or more tags, ascending
+    friend bool operator==(const TagSet&, const TagSet&) = default;
+  };
+
   /// Points of one geometrical entity that are copies of points of another ($Periodic of MSH).
   struct Periodic {
     int dimension = 0;                   ///< of the entities
@@ -62,6 +70,7 @@ struct SimplexSoup {
   std::vector<std::int32_t> point_tags;  ///< #points references (MEDIT); or empty = none has any
   std::array<Block, 4> simplices;        ///< by dimension: vertices, edges, triangles, tetrahedra
   std::vector<Group> groups;
+  std::vector<TagSet> tag_sets;  ///< of all other tags a simplex is in the group of that tag alone
   std::vector<Periodic> periodic;
 
   SimplexNotes notes;

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "adapters/io/group_tags.hpp"
 #include "adapters/io/gunzip.hpp"
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/obj_writer.hpp"
 #include "adapters/io/polygons_to_simplices.hpp"
 #include "adapters/io/simplex_format_writers.hpp"
+#include "adapters/io/simplex_names.hpp"
 #include "multimesh/error.hpp"
 
 namespace multimesh::io {
@@ -67,6 +69,17 @@ Lost put_surface(OutputBuffer& out, const SimplexSoup& soup, const std::string& 
   return lost_in_surface(soup, false);
 }
 
+/// Tags of formats that have one tag for a simplex.
+void warn_of_tag_sets(const SimplexSoup& soup, const std::string& file, std::vector<std::string>& warnings) {
+  for (const SimplexSoup::TagSet& set : soup.tag_sets) {
+    std::string groups;
+    for (const std::int32_t tag : set.groups) groups += (groups.empty() ? "" : ", ") + std::to_string(tag);
+    warnings.push_back(file + ": a simplex has one tag there; tag " + std::to_string(set.tag) + " of " +
+                       simplex_plurals[static_cast<std::size_t>(set.dimension)] + " stands for the groups " +
+                       groups);
+  }
+}
+
 Lost put_volume(OutputBuffer& out, const SimplexSoup& soup, const std::string& extension,
                 const SimplexWriteOptions& options, const std::string& file) {
   Lost lost;
@@ -75,8 +88,20 @@ Lost put_volume(OutputBuffer& out, const SimplexSoup& soup, const std::string& e
   if (extension == ".msh" && options.msh_version == MshVersion::v2_2)
     put_msh2(out, soup, options.binary, file, lost);
   if (extension == ".msh" && options.msh_version == MshVersion::v4_1)
-    put_msh4(out, soup, options.binary, file, lost);
+    put_msh4(out, soup, options.binary, lost);
   return lost;
+}
+
+/// The soup as Gmsh's formats can have it; `soup` itself where it is so.
+const SimplexSoup& for_gmsh(const SimplexSoup& soup, SimplexSoup& copy, const std::string& file,
+                            std::vector<std::string>& warnings) {
+  const auto all_positive = [](const auto& block) {
+    return std::ranges::all_of(block.tags, [](auto tag) { return tag > 0; });
+  };
+  if (std::ranges::all_of(soup.simplices, all_positive)) return soup;
+  copy = soup;
+  for (const std::string& change : make_tags_positive(copy)) warnings.push_back(file + ": " + change);
+  return copy;
 }
 
 Lost write_as_obj(const std::filesystem::path& path, const SimplexSoup& soup) {
@@ -108,18 +133,22 @@ std::vector<std::string> write_simplices(const std::filesystem::path& path, cons
               "files of this extension are not written; use .msh, .mesh, .vtu, .obj, .off, .ply or .stl");
   check_dimension(soup, extension, file);
   Lost lost;
+  std::vector<std::string> warnings;
   if (extension == ".obj") {
     lost = write_as_obj(path, soup);
   } else {
+    SimplexSoup copy;
+    const bool is_msh = extension == ".msh";
+    const SimplexSoup& written = is_msh ? for_gmsh(soup, copy, file, warnings) : soup;
+    if (!is_msh && !is_surface(extension)) warn_of_tag_sets(soup, file, warnings);
     AtomicFile output(path);
     OutputBuffer out(output);
     lost = is_surface(extension) ? put_surface(out, soup, extension, options.binary, file)
-                                 : put_volume(out, soup, extension, options, file);
+                                 : put_volume(out, written, extension, options, file);
     out.flush();
     output.commit();
   }
   if (!soup.periodic.empty() && extension != ".msh") lost.push_back("periodic links");
-  std::vector<std::string> warnings;
   for (const std::string& what : lost) warnings.push_back(file + ": " + what + " are not written");
   return warnings;
 }

@@ -22,7 +22,7 @@ struct SimplexWriteOptions {
 ///
 /// | extension | dimensions | tags | names | numbers |
 /// |---|---|---|---|---|
-/// | .msh (Gmsh 2.2, 4.1) | 0 to 3 | yes; negative ones are refused in 4.1 | yes | double |
+/// | .msh (Gmsh 2.2, 4.1) | 0 to 3 | positive; others get new ones, named groups | yes | double |
 /// | .mesh (MEDIT) | 0 to 3 | yes, with point_tags and flags | no | double, text |
 /// | .vtu (VTK) | 0 to 3 | yes, cell array `tag` | no | double, zlib if binary |
 /// | .obj | 1, 2 | no | no | double, text |
@@ -32,8 +32,10 @@ struct SimplexWriteOptions {
 ///
 /// Text has the fewest digits from which the same double is read again. Vertices in MEDIT are written as
 /// Corners, or as RequiredVertices where they have that flag only, and pass their tags to their points.
-/// Simplices keep their order. Periodic links are written to .msh ($Periodic), with the entities that they
-/// name (MshEntities). Of all that is not written a warning tells. The file
+/// Points and simplices keep their order; in 4.1 by their numbers, for there they are grouped by entity, one
+/// for each tag. A simplex in several groups (SimplexSoup::TagSet) is so in .msh files: 2.2 lists it once for
+/// each of them, in 4.1 its entity has them all. Periodic links are written to .msh ($Periodic), with the
+/// entities that they name (MshEntities). Of all that is not written a warning tells. The file
 /// appears complete or not at all (AtomicFile). \return warnings, one sentence each, naming the file \throw
 /// InputError for an unknown extension, no simplex that the format can hold, coordinates or tags that it
 ///   cannot hold, a directory, a missing directory, a full disk. UsageError for a soup whose arrays do not

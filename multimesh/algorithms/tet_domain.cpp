@@ -24,8 +24,20 @@ void check_list(const FacetList& list, int dimension, std::size_t tags, std::siz
                        " names point " + std::to_string(list.corners[i]) + " of " + std::to_string(points));
 }
 
+void check_values(std::size_t values, std::size_t simplices, const char* what) {
+  if (values != 0 && values != simplices)
+    throw InputError(std::to_string(simplices) + " " + what + ", but " + std::to_string(values) +
+                     " tags or flags");
+}
+
 void check(const TaggedTetrahedra& input) {
   const std::size_t n = input.points.size();
+  check_values(input.tet_flags.size(), input.tets.size(), "tetrahedra");
+  check_values(input.triangle_flags.size(), input.triangles.size(), "triangles");
+  check_values(input.edge_flags.size(), input.edges.size(), "edges");
+  check_values(input.fixed_tags.size(), input.fixed.size(), "fixed points");
+  check_values(input.fixed_flags.size(), input.fixed.size(), "fixed points");
+  check_values(input.point_tags.size(), n, "points");
   check_list(input.tets, 3, input.regions.size(), n, "tetrahedra");
   check_list(input.triangles, 2, input.patches.size(), n, "triangles");
   check_list(input.edges, 1, input.edge_tags.size(), n, "edges");
@@ -101,6 +113,10 @@ TetDomain::Tag TetDomain::patch(Index triangle) const {
 TetDomain::Tag TetDomain::curve_tag(Index edge) const {
   return (*data_->curve_tags)[edge];
 }
+std::uint8_t TetDomain::flags(int dimension, Index simplex) const {
+  if (dimension == 3) return (*data_->tet_flags)[simplex];
+  return dimension == 2 ? (*data_->triangle_flags)[simplex] : (*data_->curve_flags)[simplex];
+}
 
 namespace {
 
@@ -157,49 +173,94 @@ class OncePerPlace {
   std::set<std::vector<Index>> seen_;
 };
 
+/// What a domain is written as, list by list.
+class Writer {
+ public:
+  Writer(const TetDomain& domain, const TetDomain::Data& data, TaggedTetrahedra& out)
+      : domain_(domain),
+        data_(data),
+        root_(*data.mesh),
+        out_(out),
+        point_(root_, *data.points, *data.copy_of, out.points) {}
+
+  void tetrahedra() {
+    for (Index t = 0; t < root_.capacity(3); ++t) {
+      if (!root_.is_live(3, t)) continue;
+      for (int i = 0; i < 4; ++i) out_.tets.corners.push_back(point_(root_.corners(t)[i]));
+      out_.regions.push_back((*data_.regions)[t]);
+      out_.tet_flags.push_back((*data_.tet_flags)[t]);
+    }
+  }
+
+  void surface() {
+    const Mesh& mesh = data_.tree->mesh(*data_.surface);
+    for (Index f = 0; f < mesh.capacity(2); ++f) {
+      if (!mesh.is_live(2, f) || ((*data_.implied)[f] && (*data_.patches)[f] == 0)) continue;
+      // Of boundary triangles, the normal points outwards: away from the fourth vertex.
+      Index v[4];
+      const Dart image = data_.tree->to_parent(*data_.surface, mesh.dart_of(2, f));
+      root_.vertices(image, v);
+      if (root_.is_boundary(image, 2) && is_even(root_.order(tet::TetMesh::dart(root_.tet(image)), image)))
+        std::swap(v[0], v[1]);
+      if (domain_.is_parted_face(image) && !once_({point_(v[0]), point_(v[1]), point_(v[2])})) continue;
+      for (int i = 0; i < 3; ++i) out_.triangles.corners.push_back(point_(v[i]));
+      out_.patches.push_back((*data_.patches)[f]);
+      out_.triangle_flags.push_back((*data_.triangle_flags)[f]);
+    }
+  }
+
+  void curves() {
+    const Mesh& mesh = data_.tree->mesh(*data_.curves);
+    for (Index e = 0; e < mesh.capacity(1); ++e) {
+      if (!mesh.is_live(1, e)) continue;
+      Index v[4];
+      const Dart image = data_.tree->to_parent(*data_.curves, mesh.dart_of(1, e));
+      root_.vertices(image, v);
+      if (domain_.is_copied_edge(image) && !once_({point_(v[0]), point_(v[1])})) continue;
+      for (int i = 0; i < 2; ++i) out_.edges.corners.push_back(point_(v[i]));
+      out_.edge_tags.push_back((*data_.curve_tags)[e]);
+      out_.edge_flags.push_back((*data_.curve_flags)[e]);
+    }
+  }
+
+  void fixed_points() {
+    for (Index v = 0; v < root_.capacity(0); ++v) {
+      if (!root_.is_live(0, v) || !root_.is_locked(v) || root_.dart_of(0, v) == no_dart) continue;
+      const Index place = (*data_.fixed)[v] == 0 ? no_index : (*data_.fixed)[v] - 1;
+      if (place == no_index && (*data_.locked_by_cut)[v]) continue;
+      if (!once_({point_(v)})) continue;
+      out_.fixed.push_back(point_(v));
+      out_.fixed_tags.push_back(place == no_index || data_.fixed_tags.empty() ? 0 : data_.fixed_tags[place]);
+      out_.fixed_flags.push_back(flags_of(data_.fixed_flags, place));
+    }
+  }
+
+  void point_tags() {
+    out_.point_tags.resize(out_.points.size());
+    for (Index v = 0; v < root_.capacity(0); ++v)
+      if (root_.is_live(0, v) && (*data_.point_tags)[v] != 0)
+        out_.point_tags[point_(v)] = (*data_.point_tags)[v];
+  }
+
+ private:
+  const TetDomain& domain_;
+  const TetDomain::Data& data_;
+  const tet::TetMesh& root_;
+  TaggedTetrahedra& out_;
+  OutputPoints point_;
+  OncePerPlace once_;
+};
+
 }  // namespace
 
 TaggedTetrahedra TetDomain::tagged() const {
-  const Data& d = *data_;
-  const tet::TetMesh& root = *d.mesh;
   TaggedTetrahedra out;
-  OutputPoints point(root, *d.points, *d.copy_of, out.points);
-  for (Index t = 0; t < root.capacity(3); ++t) {
-    if (!root.is_live(3, t)) continue;
-    for (int i = 0; i < 4; ++i) out.tets.corners.push_back(point(root.corners(t)[i]));
-    out.regions.push_back((*d.regions)[t]);
-  }
-  OncePerPlace once;
-  Index v[4];
-  if (d.surface) {
-    const Mesh& mesh = d.tree->mesh(*d.surface);
-    for (Index f = 0; f < mesh.capacity(2); ++f) {
-      if (!mesh.is_live(2, f) || ((*d.implied)[f] && (*d.patches)[f] == 0)) continue;
-      // Of boundary triangles, the normal points outwards: away from the fourth vertex.
-      const Dart image = d.tree->to_parent(*d.surface, mesh.dart_of(2, f));
-      root.vertices(image, v);
-      if (root.is_boundary(image, 2) && is_even(root.order(tet::TetMesh::dart(root.tet(image)), image)))
-        std::swap(v[0], v[1]);
-      if (is_parted_face(image) && !once({point(v[0]), point(v[1]), point(v[2])})) continue;
-      for (int i = 0; i < 3; ++i) out.triangles.corners.push_back(point(v[i]));
-      out.patches.push_back((*d.patches)[f]);
-    }
-  }
-  if (d.curves) {
-    const Mesh& mesh = d.tree->mesh(*d.curves);
-    for (Index e = 0; e < mesh.capacity(1); ++e) {
-      if (!mesh.is_live(1, e)) continue;
-      const Dart image = d.tree->to_parent(*d.curves, mesh.dart_of(1, e));
-      root.vertices(image, v);
-      if (is_copied_edge(image) && !once({point(v[0]), point(v[1])})) continue;
-      for (int i = 0; i < 2; ++i) out.edges.corners.push_back(point(v[i]));
-      out.edge_tags.push_back((*d.curve_tags)[e]);
-    }
-  }
-  for (Index i = 0; i < root.capacity(0); ++i)
-    if (root.is_live(0, i) && root.is_locked(i) && !(*d.locked_by_cut)[i] && root.dart_of(0, i) != no_dart &&
-        once({point(i)}))
-      out.fixed.push_back(point(i));
+  Writer write(*this, *data_, out);
+  write.tetrahedra();
+  if (data_->surface) write.surface();
+  if (data_->curves) write.curves();
+  write.fixed_points();
+  write.point_tags();
   out.tets.vertices = out.triangles.vertices = out.edges.vertices = static_cast<Index>(out.points.size());
   return out;
 }

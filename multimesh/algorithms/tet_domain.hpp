@@ -14,17 +14,30 @@
 
 namespace multimesh {
 
+/// Bits of the flags of a simplex in the lists below.
+enum TetDomainFlag : std::uint8_t {
+  feature_simplex = 1,   ///< a point that is a corner, an edge that is a ridge
+  required_simplex = 2,  ///< to be kept as it is
+  unlisted_simplex = 4,  ///< of the surface or the curves, though the input does not list it
+};
+
 /// Tetrahedra with regions, and what is tagged inside them, as plain lists: what a file has.
 struct TaggedTetrahedra {
   using Tag = std::int32_t;
   std::vector<std::array<double, 3>> points;
-  FacetList tets{3, 0, {}};       ///< into points
-  std::vector<Tag> regions;       ///< per tetrahedron, or empty: all 0
-  FacetList triangles{2, 0, {}};  ///< faces of the tetrahedra that are to be kept
-  std::vector<Tag> patches;       ///< per triangle, or empty: all 0
-  FacetList edges{1, 0, {}};      ///< edges of the tetrahedra that are to be kept
-  std::vector<Tag> edge_tags;     ///< per edge, or empty: all 0
-  std::vector<Index> fixed;       ///< points that must keep their place
+  FacetList tets{3, 0, {}};             ///< into points
+  std::vector<Tag> regions;             ///< per tetrahedron, or empty: all 0
+  std::vector<std::uint8_t> tet_flags;  ///< per tetrahedron, or empty: none; so are all flags
+  FacetList triangles{2, 0, {}};        ///< faces of the tetrahedra that are to be kept
+  std::vector<Tag> patches;             ///< per triangle, or empty: all 0
+  std::vector<std::uint8_t> triangle_flags;
+  FacetList edges{1, 0, {}};   ///< edges of the tetrahedra that are to be kept
+  std::vector<Tag> edge_tags;  ///< per edge, or empty: all 0
+  std::vector<std::uint8_t> edge_flags;
+  std::vector<Index> fixed;     ///< points that must keep their place
+  std::vector<Tag> fixed_tags;  ///< per fixed point, or empty: all 0
+  std::vector<std::uint8_t> fixed_flags;
+  std::vector<Tag> point_tags;  ///< per point, or empty: all 0
 };
 
 struct TetDomainOptions {
@@ -41,6 +54,8 @@ struct TetDomainReport {
   std::size_t inverted_tets = 0;  ///< of negative or no volume, after that
   std::size_t missing_triangles = 0;  ///< tagged triangles that are no face of a tetrahedron
   std::size_t missing_edges = 0;      ///< tagged edges that are no edge of a tetrahedron
+  std::size_t missing_points = 0;     ///< fixed points that are no vertex of a tetrahedron
+  std::size_t unused_points = 0;      ///< all such points
 };
 
 /// A simulation domain as a multimesh:
@@ -70,7 +85,8 @@ class TetDomain {
   /// The domain as it is now; copies of one input point are one again unless they have moved apart, or a
   /// tetrahedron joins them.
   /// Triangles: the whole surface with its patches, without the part of the boundary that carries the tag 0
-  /// and was not in the input. Edges: all curves with their tags.
+  /// and was not in the input. Edges: all curves with their tags. Fixed: the locked points. Interfaces,
+  /// curves and locked points that the input does not list are unlisted_simplex.
   TaggedTetrahedra tagged() const;
 
   MultiMesh& tree();
@@ -97,6 +113,9 @@ class TetDomain {
   bool is_parted_face(Dart face) const;
   Tag patch(Index triangle) const;  ///< of a triangle of the surface
   Tag curve_tag(Index edge) const;  ///< of an edge of the curves
+  /// TetDomainFlag bits of a tetrahedron of the root, a triangle of the surface, an edge of the curves.
+  /// Halves of a split simplex have those of the whole. \pre dimension is 1 to 3
+  std::uint8_t flags(int dimension, Index simplex) const;
 
   struct Data;  ///< tet_domain_data.hpp; private to the implementation
 

@@ -51,6 +51,27 @@ std::size_t make_positive(const TaggedTetrahedra& input, Cut& cut) {
   return inverted;
 }
 
+/// Fixed points are locked, and known by their place in the list, the first one of a point.
+void add_point_values(const TaggedTetrahedra& input, const std::vector<Index>& source, TetDomain::Data& out) {
+  out.fixed = &out.mesh->add_vertex_property<Index>("fixed");
+  out.point_tags = &out.mesh->add_vertex_property<Tag>("tag");
+  out.fixed_tags = input.fixed_tags;
+  out.fixed_flags = input.fixed_flags;
+  std::vector<Index> place(input.points.size(), 0);
+  for (std::size_t i = input.fixed.size(); i-- > 0;) place[input.fixed[i]] = static_cast<Index>(i) + 1;
+  std::vector<bool> used(input.points.size(), false);
+  for (Index v = 0; v < source.size(); ++v) {
+    used[source[v]] = true;
+    out.fixed->values[v] = place[source[v]];
+    if (!input.point_tags.empty()) out.point_tags->values[v] = input.point_tags[source[v]];
+    if (place[source[v]] != 0) out.mesh->set_locked(v, true);
+  }
+  for (Index s = 0; s < used.size(); ++s) {
+    out.report.unused_points += !used[s];
+    out.report.missing_points += !used[s] && place[s] != 0;
+  }
+}
+
 }  // namespace
 
 JoinedMesh add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data& out) {
@@ -72,11 +93,10 @@ JoinedMesh add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data& out) {
     out.copy_of->values[v] = s + 1;
     mesh->set_locked(v, true);
   }
-  std::vector<bool> fixed(input.points.size(), false);
-  for (const Index s : input.fixed) fixed[s] = true;
-  for (Index v = 0; v < pieces.source.size(); ++v)
-    if (fixed[pieces.source[v]]) mesh->set_locked(v, true);
+  add_point_values(input, pieces.source, out);
   if (!input.regions.empty()) out.regions->values = input.regions;
+  out.tet_flags = &mesh->add_tet_property<std::uint8_t>("flags");
+  if (!input.tet_flags.empty()) out.tet_flags->values = input.tet_flags;
   out.tree = std::make_unique<MultiMesh>(std::move(mesh));
   JoinedMesh joined{std::move(pieces.source), {}};
   find_copies(out, joined);
@@ -103,6 +123,7 @@ void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options,
   struct Face {
     Tag patch;
     bool implied;
+    std::uint8_t flags;
   };
   const tet::TetMesh& root = *out.mesh;
   std::vector<Face> faces;
@@ -117,8 +138,8 @@ void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options,
     const Index i = given.find(simplex_key(v, 2));
     if (i != no_index) found[i] = true;
     if (i == no_index && !interface && !(options.boundary && beyond == no_index)) return false;
-    faces.push_back(
-        {i == no_index || input.patches.empty() ? 0 : input.patches[i], i == no_index && !interface});
+    faces.push_back({i == no_index || input.patches.empty() ? 0 : input.patches[i],
+                     i == no_index && !interface, flags_of(input.triangle_flags, i)});
     return true;
   };
   // The child's facets are in the order in which the faces are asked for.
@@ -132,10 +153,12 @@ void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options,
       *out.tree, NodeId::root, 2, [&](Index s) { return tagged[s]; }, make_mesh);
   auto& om = out.openmesh(*out.surface);
   out.patches = &openmesh::add_values(om, OpenMesh::FPropHandleT<Tag>(), "patch");
+  out.triangle_flags = &openmesh::add_values(om, OpenMesh::FPropHandleT<std::uint8_t>(), "flags");
   out.implied = &openmesh::add_values(om, OpenMesh::FPropHandleT<char>(), "implied");
   for (std::size_t f = 0; f < faces.size(); ++f) {
     (*out.patches)[f] = faces[f].patch;
     (*out.implied)[f] = faces[f].implied;
+    (*out.triangle_flags)[f] = faces[f].flags;
   }
 }
 
@@ -149,6 +172,7 @@ struct CurveEdge {
   Point normals[2] = {Point::Zero(), Point::Zero()};
   bool has_tag = false;
   Tag tag = 0;
+  std::uint8_t flags = unlisted_simplex;
 
   bool is_sharp(double angle) const {
     if (angle > std::numbers::pi) return false;
@@ -241,6 +265,7 @@ std::size_t add_tagged_edges(const TaggedTetrahedra& input, const std::vector<In
         CurveEdge& e = out.at(ends);
         e.has_tag = true;
         e.tag = input.edge_tags.empty() ? 0 : input.edge_tags[n];
+        e.flags = flags_of(input.edge_flags, n);
       }
   return static_cast<std::size_t>(std::count(found.begin(), found.end(), false));
 }
@@ -284,6 +309,7 @@ void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, 
     if (e.is_curve(options.feature_angle))
       for (const Index p : e.ends) kinds[p].insert(e.kind());
   std::vector<Tag> tags;
+  std::vector<std::uint8_t> flags;
   std::vector<bool> tagged(root.capacity(1), false);
   for (Index s = 0; s < tagged.size(); ++s) {
     Index ends[4];
@@ -292,6 +318,7 @@ void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, 
     if (!e || !e->is_curve(options.feature_angle) || !root.is_live(1, s)) continue;
     tagged[s] = true;
     tags.push_back(e->tag);
+    flags.push_back(e->flags);
   }
   if (tags.empty()) return;
   const CutOptions ends{[&](Index v) { return kinds[source[v]].size() > 1; }};
@@ -299,6 +326,9 @@ void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, 
       *out.tree, NodeId::root, 1, [&](Index s) { return tagged[s]; }, make_mesh, ends);
   out.curve_tags = &openmesh::add_values(out.openmesh(*out.curves), OpenMesh::EPropHandleT<Tag>(), "tag");
   std::copy(tags.begin(), tags.end(), out.curve_tags->begin());
+  out.curve_flags =
+      &openmesh::add_values(out.openmesh(*out.curves), OpenMesh::EPropHandleT<std::uint8_t>(), "flags");
+  std::copy(flags.begin(), flags.end(), out.curve_flags->begin());
 }
 
 }  // namespace multimesh

@@ -19,10 +19,18 @@ struct TetDomain::Data {
   tet::SimplexProperty<char>* copied_edges = nullptr;  // that occur more than once, or are sides of a parted
                                                        // face
   tet::SimplexProperty<char>* parted_faces = nullptr;  // that occur more than once
+  tet::Property<Index>* fixed =
+      nullptr;  // of vertices in the list of fixed points: the place there + 1; else 0
+  tet::Property<Tag>* point_tags = nullptr;
+  tet::Property<std::uint8_t>* tet_flags = nullptr;
+  std::vector<Tag> fixed_tags;  // per fixed point of the input; so are the flags
+  std::vector<std::uint8_t> fixed_flags;
   std::optional<NodeId> surface, curves;
-  std::vector<Tag>* patches = nullptr;     // per triangle of the surface
+  std::vector<Tag>* patches = nullptr;  // per triangle of the surface; so are the flags
+  std::vector<std::uint8_t>* triangle_flags = nullptr;
   std::vector<char>* implied = nullptr;    // per triangle of the surface: it is there as boundary only
-  std::vector<Tag>* curve_tags = nullptr;  // per edge of the curves
+  std::vector<Tag>* curve_tags = nullptr;  // per edge of the curves; so are the flags
+  std::vector<std::uint8_t>* curve_flags = nullptr;
   TetDomainReport report;
 
   OpenMesh::PolyConnectivity& openmesh(NodeId n) {
@@ -42,6 +50,12 @@ JoinedMesh add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data& out);
 void find_copies(TetDomain::Data& out, JoinedMesh& joined);
 void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
                  TetDomain::Data& out);
+/// Flags of simplex i of a list, or of one that is not in it: i is no_index.
+inline std::uint8_t flags_of(const std::vector<std::uint8_t>& flags, Index i) {
+  if (i == no_index) return unlisted_simplex;
+  return flags.empty() ? std::uint8_t{0} : flags[i];
+}
+
 /// \pre the surface, if any, has been added
 void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
                 TetDomain::Data& out);

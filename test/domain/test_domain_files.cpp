@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <random>
 
+#include "adapters/io/repeated_simplices.hpp"
 #include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/simplex_writer.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
@@ -111,9 +112,13 @@ TEST_P(DomainFile, SurvivesOperationsAndAFile) {
   EXPECT_EQ(validate(d.tree()), std::vector<std::string>{});
   EXPECT_EQ(topology(d), before);
 
-  const TaggedTetrahedra out = d.tagged();
-  const fs::path file = fs::temp_directory_path() / ("multimesh-domain-" + std::to_string(getpid()) + ".msh");
-  io::write_simplices(file, soup(out));
+  // The storm does not look at positions: where copies of points touch, it may make two tetrahedra of the
+  // same points, which are one in a file.
+  io::SimplexSoup written = soup(d.tagged());
+  io::unite_repeated_simplices(written);
+  const TaggedTetrahedra out = tagged(written);
+  const fs::path file = fs::temp_directory_path() / ("multimesh-domain-" + std::to_string(getpid()) + ".vtu");
+  io::write_simplices(file, written);
   const TaggedTetrahedra again = tagged(io::read_simplices(file));
   fs::remove(file);
   EXPECT_EQ(again.points, out.points);

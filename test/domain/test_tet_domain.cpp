@@ -190,6 +190,7 @@ TEST(TetDomain, CutsAndJoinsPinchedPoints) {
   const TaggedTetrahedra out = d.tagged();
   EXPECT_EQ(out.points.size(), 15U);
   EXPECT_EQ(out.fixed.size(), 1U) << "both copies, as one point";
+  EXPECT_EQ(out.fixed_flags.at(0), unlisted_simplex);
 }
 
 TEST(TetDomain, RefusesListsThatDoNotFit) {

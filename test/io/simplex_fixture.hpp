@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -32,15 +33,16 @@ inline SimplexSoup small_soup(std::int32_t second_region = 9) {
   SimplexSoup soup;
   soup.points = {{0, 0, 0}, {1, 0, 0.1}, {0, 1, 1.0 / 3}, {0, 0, 1}, {1, 1, 1e-300}, {-7.5, 2e9, 3}};
   soup.simplices[3] = {{0, 1, 2, 3, 1, 2, 3, 4}, {7, second_region}, {}};
-  soup.simplices[2] = {{1, 2, 3, 0, 1, 2, 0, 3, 1}, {3, 0, 4}, {}};
+  soup.simplices[2] = {{1, 2, 3, 0, 1, 2, 0, 3, 1}, {3, 8, 4}, {}};
   soup.simplices[1] = {{0, 1, 1, 2}, {11, 12}, {}};
   soup.simplices[0] = {{0, 4}, {1, 2}, {}};
   soup.groups = {{3, 7, "rock"}, {2, 3, "inter face"}, {1, 11, "edge"}};
   return soup;
 }
 
-/// Any finite doubles as points, any simplices without repeated vertices, tags of a few values.
-inline SimplexSoup random_soup(unsigned seed) {
+/// Any finite doubles as points, any different simplices without repeated vertices, tags of a few values, the
+/// lowest of which is given.
+inline SimplexSoup random_soup(unsigned seed, std::int32_t lowest_tag = 0) {
   std::mt19937_64 random(seed);
   SimplexSoup soup;
   for (int i = 0; i < 40; ++i) {
@@ -51,12 +53,15 @@ inline SimplexSoup random_soup(unsigned seed) {
     }
     soup.points.push_back(p);
   }
-  for (std::uint32_t k = 0; k < 4; ++k)
+  std::vector<std::uint32_t> firsts(40);
+  std::iota(firsts.begin(), firsts.end(), 0U);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    std::ranges::shuffle(firsts, random);
     for (std::uint64_t n = random() % 30; n > 0; --n) {
-      const auto first = static_cast<std::uint32_t>(random() % 40);
-      for (std::uint32_t c = 0; c <= k; ++c) soup.simplices[k].corners.push_back((first + 7 * c) % 40);
-      soup.simplices[k].tags.push_back(static_cast<std::int32_t>(random() % 4));
+      for (std::uint32_t c = 0; c <= k; ++c) soup.simplices[k].corners.push_back((firsts[n] + 7 * c) % 40);
+      soup.simplices[k].tags.push_back(lowest_tag + static_cast<std::int32_t>(random() % 4));
     }
+  }
   soup.simplices[3].corners.insert(soup.simplices[3].corners.end(), {0, 1, 2, 3});
   soup.simplices[3].tags.push_back(5);
   return soup;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/io/group_tags.hpp"
 #include "adapters/io/msh_reader.hpp"
 #include "simplex_fixture.hpp"
 
@@ -48,10 +49,11 @@ TEST(MshReader, Version4TakesPhysicalTagsFromEntities) {
   const std::string entities =
       "$Entities\n0 0 0 2\n5 0 0 0 1 1 1 2 -30 31 0\n6 0 0 0 1 1 1 0 1 -4\n$EndEntities\n";
   const SimplexSoup soup = parse(msh4(entities, "2 2 1 2\n3 5 4 1\n1 9 1 2 3\n3 6 4 1\n2 1 2 3 4\n"));
-  EXPECT_EQ(soup.simplices[3].tags, (std::vector<std::int32_t>{30, 0}));
+  EXPECT_EQ(soup.simplices[3].tags, (std::vector<std::int32_t>{32, 0}));
+  EXPECT_EQ(soup.tag_sets, (std::vector<SimplexSoup::TagSet>{{3, 32, {30, 31}}}))
+      << "one element, two groups";
   EXPECT_EQ(soup.simplices[3].corners, (std::vector<std::uint32_t>{0, 1, 2, 3, 1, 2, 3, 4}));
   EXPECT_EQ(soup.points[1], (std::array<double, 3>{1, 0, 0}));  // behind it, parametric coordinates
-  EXPECT_EQ(soup.notes.several_tags, 1U);
 }
 
 TEST(MshReader, Version4WithoutEntitiesHasEntityTags) {
@@ -59,15 +61,65 @@ TEST(MshReader, Version4WithoutEntitiesHasEntityTags) {
   EXPECT_EQ(soup.simplices[3].tags, (std::vector<std::int32_t>{5, 6}));
 }
 
+// Node 2 on a curve, node 3 on a surface: one and two parameters behind the coordinates.
+TEST(MshReader, ParametricNodesAreNodes) {
+  const SimplexSoup soup = parse(
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n4\n1 0 0 0 0 17\n2 1 0 0 1 26 5.5\n"
+      "3 0 1 0 2 4 .5 .25\n4 0 0 1 3 1\n$EndParametricNodes\n"
+      "$Elements\n1\n1 4 2 3 1 1 2 3 4\n$EndElements\n");
+  EXPECT_EQ(soup.points, (std::vector<std::array<double, 3>>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  EXPECT_TRUE(soup.warnings.empty());
+}
+
+TEST(MshReader, ElementsListedOncePerGroupAreOneElement) {
+  const SimplexSoup soup = parse(
+      msh2("6\n1 4 2 3 1 10 20 30 40\n2 4 2 5 1 10 20 30 40\n3 4 2 5 1 20 30 40 50\n4 2 2 7 1 10 20 30\n"
+           "5 2 2 8 1 30 10 20\n6 2 2 8 1 10 20 40\n"));
+  EXPECT_EQ(soup.simplices[3].corners, (std::vector<std::uint32_t>{0, 1, 2, 3, 1, 2, 3, 4}));
+  EXPECT_EQ(groups_of(soup, 3, soup.simplices[3].tags[0]), (std::vector<std::int32_t>{3, 5}));
+  EXPECT_EQ(groups_of(soup, 3, soup.simplices[3].tags[1]), std::vector<std::int32_t>{5});
+  EXPECT_EQ(tags_with(soup, 3, 5), (std::vector<std::int32_t>{5, soup.simplices[3].tags[0]}));
+  ASSERT_EQ(soup.simplices[2].size(), 2U);
+  EXPECT_EQ(groups_of(soup, 2, soup.simplices[2].tags[0]), (std::vector<std::int32_t>{7, 8}));
+  EXPECT_EQ(soup.notes.doubled, 0U);
+  EXPECT_TRUE(soup.warnings.empty()) << "all is kept";
+}
+
+TEST(MshReader, DoubledElementsAreLeftOutAndTold) {
+  const SimplexSoup soup =
+      parse(msh2("3\n1 4 2 3 1 10 20 30 40\n2 4 2 3 1 20 10 40 30\n3 4 2 3 1 20 30 40 50\n"));
+  EXPECT_EQ(soup.simplices[3].size(), 2U);
+  EXPECT_EQ(soup.simplices[3].tags, (std::vector<std::int32_t>{3, 3}));
+  EXPECT_EQ(soup.notes.doubled, 1U);
+  EXPECT_NE(soup.warnings.at(0).find("1 elements are listed again"), std::string::npos);
+}
+
+// One volume in two partitions, with the triangle between them.
+TEST(MshReader, PartitionsAreDroppedAndTheirEntityIsKept) {
+  const std::string partitions =
+      "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 1 7 0\n$EndEntities\n$PartitionedEntities\n2\n0\n0 0 1 2\n"
+      "9 3 1 2 1 2 0 0 0 1 1 1 1 7 0\n5 3 1 1 1 0 0 0 1 1 1 1 7 0\n6 3 1 1 2 0 0 0 1 1 1 1 7 0\n"
+      "$EndPartitionedEntities\n";
+  const SimplexSoup soup =
+      parse(msh4(partitions, "3 3 1 3\n2 9 2 1\n3 1 2 3\n3 5 4 1\n1 9 1 2 3\n3 6 4 1\n2 1 2 3 4\n"));
+  EXPECT_EQ(soup.simplices[3].tags, (std::vector<std::int32_t>{7, 7}));
+  EXPECT_EQ(soup.simplices[2].size(), 0U);
+  EXPECT_NE(soup.warnings.at(0).find("the partitions are dropped, and 1 elements between them"),
+            std::string::npos);
+  const SimplexSoup old = parse(msh2("1\n1 4 4 3 1 1 2 10 20 30 40\n"));
+  EXPECT_EQ(old.simplices[3].tags, std::vector<std::int32_t>{3});
+  EXPECT_NE(old.warnings.at(0).find("the partitions are dropped"), std::string::npos);
+}
+
 TEST(MshReader, QuadsAreCut) {
-  const SimplexSoup soup = parse(msh2("3\n1 2 2 4 1 10 20 30\n2 3 2 5 1 10 20 50 30\n3 1 2 6 1 10 20\n"));
+  const SimplexSoup soup = parse(msh2("3\n1 2 2 4 1 10 20 40\n2 3 2 5 1 10 20 50 30\n3 1 2 6 1 10 20\n"));
   EXPECT_EQ(soup.simplices[2].tags, (std::vector<std::int32_t>{4, 5, 5}));
   EXPECT_EQ(soup.notes.cut_polygons, 1U);
   EXPECT_NE(soup.warnings.at(0).find("1 polygons of four or more corners are cut"), std::string::npos);
 }
 
 TEST(MshReader, QuadsHaveEntityTagsToo) {
-  const SimplexSoup soup = parse(msh2("2\n1 2 2 0 1 10 20 30\n2 3 2 0 5 10 20 50 30\n"));
+  const SimplexSoup soup = parse(msh2("2\n1 2 2 0 1 10 20 40\n2 3 2 0 5 10 20 50 30\n"));
   EXPECT_EQ(soup.simplices[2].tags, (std::vector<std::int32_t>{1, 5, 5}));
 }
 

@@ -131,7 +131,7 @@ TEST_F(MeshioPeer, ReadsAndWritesEveryVolumeFormat) {
       {"vtk42", ".vtk"},  {"vtk42-binary", ".vtk"},  {"vtk51", ".vtk"},     {"vtk51-binary", ".vtk"}};
   std::vector<std::array<std::string, 3>> jobs;
   SimplexSoup tagged = soup();
-  tagged.simplices[2].tags[1] = 8;  // meshio reads version 4.1 only if all have a physical tag, or none
+  tagged.simplices[2].tags[1] = 0;  // meshio reads Gmsh's files only if all have a physical tag, or none
   for (const Form& form : volume_forms) {
     write_simplices(directory / form.name, tagged, form.options);
     for (const auto& [target, extension] : targets)
@@ -140,11 +140,11 @@ TEST_F(MeshioPeer, ReadsAndWritesEveryVolumeFormat) {
   convert(jobs);
   for (const auto& [in, out, target] : jobs) {
     SCOPED_TRACE(out);
-    const SimplexSoup again = read_simplices(directory / out);
+    const SimplexSoup again = read_simplices(directory / out), written = read_simplices(directory / in);
     // Vertices: meshio neither writes them into MEDIT files nor reads them from there.
     const bool is_msh4 = target == "gmsh" || target == "gmsh-binary", is_short = target == "vtu-ascii";
     for (std::size_t k = is_msh4 ? 3 : 1; k < 4; ++k)
-      EXPECT_EQ(canonical(is_short ? rounded(tagged) : tagged, k),
+      EXPECT_EQ(canonical(is_short ? rounded(written) : written, k),
                 canonical(is_short ? rounded(again) : again, k))
           << k;
   }

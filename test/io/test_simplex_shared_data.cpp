@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "adapters/io/group_tags.hpp"
 #include "adapters/io/mesh_reader.hpp"
 #include "simplex_fixture.hpp"
 
@@ -89,6 +90,14 @@ TEST(SimplexSharedData, TetrahedralMeshes) {
   }
 }
 
+/// How often the simplices of a dimension are listed in a file that lists them once for each group.
+std::size_t listings(const SimplexSoup& soup, int k) {
+  std::size_t count = 0;
+  for (const std::int32_t tag : soup.simplices[static_cast<std::size_t>(k)].tags)
+    count += groups_of(soup, k, tag).size();
+  return count;
+}
+
 TEST(SimplexSharedData, PeriodicMeshes) {
   const fs::path folder = shared("periodic");
   if (folder.empty()) GTEST_SKIP() << "no shared data";
@@ -103,7 +112,8 @@ TEST(SimplexSharedData, PeriodicMeshes) {
     EXPECT_EQ(soup.points.size(), sizes[0]);
     EXPECT_EQ(soup.simplices[2].size(), sizes[1]);
     EXPECT_EQ(soup.simplices[3].size(), sizes[2]);
-    EXPECT_EQ(soup.simplices[1].size(), sizes[3]);
+    // Lines that are in two groups are listed twice in one version, and once in the other.
+    EXPECT_TRUE(listings(soup, 1) == sizes[3] || soup.simplices[1].size() == sizes[3]) << sizes[3];
   }
 }
 
@@ -146,9 +156,10 @@ TEST(SimplexSharedData, EveryVolumeRoundTripsInEveryFormat) {
   for (const char* name : {"cube.mesh", "neper_statelt2d_ref.msh", "sphere3.msh.gz", "beam-tet.mesh"})
     for (const Form& form : volume_forms) {
       SCOPED_TRACE(std::string(name) + " " + form.name);
-      const SimplexSoup soup = read_simplices(folder / name);
+      SimplexSoup soup = read_simplices(folder / name);
       write_simplices(out / form.name, soup, form.options);
       const SimplexSoup again = read_simplices(out / form.name);
+      if (form.name.ends_with(".msh")) make_tags_positive(soup);
       EXPECT_EQ(bits(soup.points), bits(again.points));
       for (std::size_t k = form.name == "a.mesh" ? 1 : 0; k < 4; ++k) {
         EXPECT_EQ(soup.simplices[k].corners, again.simplices[k].corners);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "adapters/io/simplex_soup.hpp"
+
+namespace multimesh::io {
+
+/// Makes one simplex of those that have the same points, in any order: Gmsh 2.2 lists an element once for
+/// each group that it is in. The first one stays, with the flags of all; if they have several tags, with the
+/// tag of a tag set, a new tag. Simplices listed again with the same tag go to notes.doubled.
+/// \pre every index is in range. Cost: linear, unless many simplices share their lowest point
+void unite_repeated_simplices(SimplexSoup& soup);
+
+}  // namespace multimesh::io
