@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "adapters/tetgen/background_points.hpp"
+#include "adapters/io/weld.hpp"
 #include "adapters/tetgen/missed_bounds.hpp"
 #include "adapters/tetgen/naming.hpp"
 #include "adapters/tetgen/worker_error.hpp"
@@ -15,16 +15,15 @@ namespace multimesh::tools {
 
 namespace {
 
-/// The triangles as one vertex per place: equal points are one.
-FacetList joined_triangles(const io::SimplexSoup& soup, std::vector<std::string>& warnings) {
-  const std::vector<Index> first = tetgen::first_equal(soup.points);
-  FacetList list{2, static_cast<Index>(soup.points.size()), {}};
+/// Makes one point of those that are at one place.
+void weld(io::SimplexSoup& soup, double tolerance, std::vector<std::string>& warnings) {
+  const std::vector<Index> first = io::coincident_points(soup.points, tolerance);
   std::size_t joined = 0;
   for (Index i = 0; i < first.size(); ++i) joined += first[i] != i;
-  if (joined > 0)
-    warnings.push_back(std::to_string(joined) + " points are equal to another one; joined with it");
-  for (const Index v : soup.simplices[2].corners) list.corners.push_back(first[v]);
-  return list;
+  if (joined == 0) return;
+  warnings.push_back(std::to_string(joined) + " points are at the place of another one; joined with it");
+  for (auto& block : soup.simplices)
+    for (Index& v : block.corners) v = first[v];
 }
 
 /// Objects and groups of surface files name what they enclose; groups of other files their surfaces only.
@@ -93,12 +92,14 @@ std::string way_out(const tetgen::WorkerError& e) {
 
 }  // namespace
 
-FilledSurface fill_surface(DomainFile& file, const tetgen::TetrahedralizeOptions& options) {
+FilledSurface fill_surface(DomainFile& file, const tetgen::TetrahedralizeOptions& options,
+                           double weld_tolerance) {
   const std::string name = file.path.string();
   if (file.soup.simplices[2].size() == 0) throw InputError(name + ": has no triangle");
+  weld(file.soup, weld_tolerance, file.warnings);
+  const FacetList triangles{2, static_cast<Index>(file.soup.points.size()), file.soup.simplices[2].corners};
   try {
-    tetgen::Tetrahedralization filled =
-        tetgen::tetrahedralize(file.soup.points, joined_triangles(file.soup, file.warnings), options);
+    tetgen::Tetrahedralization filled = tetgen::tetrahedralize(file.soup.points, triangles, options);
     file.warnings.insert(file.warnings.end(), filled.warnings.begin(), filled.warnings.end());
     for (std::string& w : tetgen::missed_bounds(filled, options)) file.warnings.push_back(std::move(w));
     return with_names(std::move(filled), file);

@@ -16,9 +16,10 @@ struct FilledSurface {
   std::vector<io::SimplexSoup::Group> groups;  ///< names of regions and patches, and the file's of curves
 };
 
-/// Fills what the triangles of a file enclose; equal points are one. Warnings are added to those of the file.
-/// \throw InputError, naming the file
-FilledSurface fill_surface(DomainFile& file, const tetgen::TetrahedralizeOptions& options);
+/// Fills what the triangles of a file enclose; points within the tolerance, a length, are one. Warnings are
+/// added to those of the file. \throw InputError, naming the file
+FilledSurface fill_surface(DomainFile& file, const tetgen::TetrahedralizeOptions& options,
+                           double weld_tolerance = 0);
 
 /// x,y,z. \throw InputError naming the option
 tetgen::Point parse_point(const std::string& text, const std::string& option);

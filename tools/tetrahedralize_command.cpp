@@ -24,7 +24,7 @@ namespace {
 struct TetrahedralizeArguments {
   std::string input, output;
   double feature_angle = 0, max_volume = 0, length = 0, relative_length = 0, ratio = 0, dihedral = 0;
-  double minutes = 10;
+  double minutes = 10, weld = 0;
   std::string keep = "winding";
   std::vector<std::string> regions, holes;
   bool split_surface = false, ascii = false, msh_2 = false, json = false;
@@ -65,7 +65,7 @@ void run(const TetrahedralizeArguments& a) {
   DomainFile file = read_domain_file(a.input);
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
-  const FilledSurface filled = fill_surface(file, tetgen_options(a, file));
+  const FilledSurface filled = fill_surface(file, tetgen_options(a, file), a.weld);
   const TetDomain domain(filled.tets, options);
   for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
   write_if_same_mesh(a.output, topology_of(filled.tets), domain, [&](const std::filesystem::path& path) {
@@ -145,6 +145,9 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(keep_names), std::end(keep_names))))
       ->capture_default_str();
   add_seed_options(*command, *a);
+  command->add_option("--weld", a->weld, "points up to this far apart are one; a length")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->add_flag("--split-surface", a->split_surface, "new points may be put on the surface");
   command->add_option("--time-limit", a->minutes, "minutes")
       ->check(CLI::PositiveNumber)

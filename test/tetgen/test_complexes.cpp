@@ -116,6 +116,32 @@ TEST(Complexes, RandomVoxelsAreRegionsHoweverTheyAreListed) {
   }
 }
 
+TEST(Complexes, ShellsInShellsAreRegionsOrCavities) {
+  // From outside to inside: 1, 2, empty, 3, 1; each with all squares to the next.
+  constexpr int size = 9, materials[]{1, 2, 0, 3, 1};
+  std::vector<int> all;
+  for (int i = 0; i < size * size * size; ++i) {
+    int depth = size;
+    for (const int x : {i % size, i / size % size, i / size / size})
+      depth = std::min({depth, x, size - 1 - x});
+    all.push_back(materials[depth]);
+  }
+  const Voxels voxels(size, all);
+  std::mt19937 random(1);
+  for (const Listing listing : {Listing::once, Listing::twice, Listing::by_solid}) {
+    const Voxels::Surface surface = voxels.surface(listing, random);
+    const Tetrahedralization mesh = fill(surface);
+    expect_regions(mesh, voxels, listing == Listing::once);
+    expect_faces(mesh, triangles_of(surface));
+    EXPECT_EQ(mesh.winding.size(), listing == Listing::once ? 5u : 4u);
+    EXPECT_EQ(has_warning(mesh, "does not tell what is empty"), listing == Listing::once);
+    const Tetrahedralization full =
+        tetgen::tetrahedralize(surface.points, surface.triangles, {.keep = tetgen::Keep::all});
+    EXPECT_EQ(full.winding.size(), 5u);
+    EXPECT_NEAR(full.volume, size * size * size * voxel_volume, 1e-9);
+  }
+}
+
 TEST(Complexes, RegionsAreNumberedByTheTrianglesAlone) {
   std::mt19937 random(5);
   const Voxels voxels = Voxels::random(4, 3, 0.8, random);

@@ -120,7 +120,7 @@ TEST_F(TetrahedraCommands, JoinsPointsOfTheSurfaceThatAreEqual) {
        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 0\nv 0 0 1\nf 1 3 2\nf 5 2 4\nf 2 3 6\nf 3 1 4\n");
   const Ended e = run({"tetrahedralize", "soup.obj", "-o", "out.msh"});
   ASSERT_EQ(e.status, 0) << e.err;
-  EXPECT_TRUE(contains(e.err, "2 points are equal")) << e.err;
+  EXPECT_TRUE(contains(e.err, "2 points are at the place of another one")) << e.err;
 }
 
 TEST_F(TetrahedraCommands, RefusesSurfacesThatBoundNothing) {

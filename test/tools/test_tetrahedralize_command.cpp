@@ -163,6 +163,20 @@ TEST_F(TetrahedralizeCommand, FaultsOfTrianglesAreRepairedWithAWarning) {
   EXPECT_EQ(info("out.msh")["meshes"]["surface"]["faces"], 12);
 }
 
+TEST_F(TetrahedralizeCommand, SolidsThatNearlyTouchAreWelded) {
+  std::string text = stl({{"left", cube_at(0)}, {"right", cube_at(1)}});
+  // The solids have the corner (1, 0, 0) at two places.
+  const std::size_t second = text.find("solid right"), at = text.find("vertex 1 0 0", second);
+  for (std::size_t i = at; i != std::string::npos; i = text.find("vertex 1 0 0", i + 1))
+    text.replace(i, 12, "vertex 1.00001 0 0");
+  file("near.stl", text);
+  EXPECT_EQ(filled("near.stl")["surface"]["faces"], 24) << "a gap";
+  const Json j = filled("near.stl", {"--weld", "1e-4"});
+  EXPECT_EQ(j["regions"].size(), 2U);
+  EXPECT_EQ(j["surface"]["faces"], 22);
+  EXPECT_TRUE(contains(j["warnings"].dump(), "1 points are at the place of another one")) << j["warnings"];
+}
+
 TEST_F(TetrahedralizeCommand, TellsSizesThatAreMissed) {
   file("cube.obj", obj({{"", cube_at(0)}}));
   const Json kept = filled("cube.obj", {"--edge-length", "0.2"});
