@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/embree/pieces.hpp"
 #include "multimesh/error.hpp"
 
 namespace multimesh::spatial {
@@ -72,6 +73,7 @@ float reach(double distance, double size) {
 
 struct TriangleTree::Data {
   std::vector<Triangle> triangles;
+  std::vector<Index> facet_of;  ///< per piece that Embree knows
   Frame frame;
   Device device;
   Scene scene;
@@ -80,41 +82,53 @@ struct TriangleTree::Data {
   void build();
 
   /// Calls visit(facet) for all facets that may be within the radius, which visit returns: it may shrink.
+  /// Some are visited several times.
   template <class Visit>
   void traverse(const Point& p, double radius, Visit visit) const;
 
   template <class Choice>
   std::optional<Nearby> nearest(const Point& p, double max_distance, Choice choose) const;
-
-  static void bounds(const RTCBoundsFunctionArguments* arguments);
 };
 
-void TriangleTree::Data::bounds(const RTCBoundsFunctionArguments* arguments) {
-  const auto& data = *static_cast<const Data*>(arguments->geometryUserPtr);
-  const Triangle& t = data.triangles[arguments->primID];
-  std::array<float, 3> low{}, high{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto [least, most] = std::minmax({t[0][i], t[1][i], t[2][i]});
-    low[i] = static_cast<float>(data.frame.to(least, i) - float_error);
-    high[i] = static_cast<float>(data.frame.to(most, i) + float_error);
+namespace {
+
+struct Boxes {
+  const std::vector<Piece>& pieces;
+  const Frame& frame;
+
+  static void bounds(const RTCBoundsFunctionArguments* arguments) {
+    const auto& [pieces, frame] = *static_cast<const Boxes*>(arguments->geometryUserPtr);
+    const Triangle& t = pieces[arguments->primID].triangle;
+    std::array<float, 3> low{}, high{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [least, most] = std::minmax({t[0][i], t[1][i], t[2][i]});
+      low[i] = static_cast<float>(frame.to(least, i) - float_error);
+      high[i] = static_cast<float>(frame.to(most, i) + float_error);
+    }
+    RTCBounds& b = *arguments->bounds_o;
+    b.lower_x = low[0], b.lower_y = low[1], b.lower_z = low[2];
+    b.upper_x = high[0], b.upper_y = high[1], b.upper_z = high[2];
   }
-  RTCBounds& b = *arguments->bounds_o;
-  b.lower_x = low[0], b.lower_y = low[1], b.lower_z = low[2];
-  b.upper_x = high[0], b.upper_y = high[1], b.upper_z = high[2];
-}
+};
+
+}  // namespace
 
 void TriangleTree::Data::build() {
   if (triangles.size() >= no_index) throw InputError("too many triangles: at most 2^32 - 2");
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (!std::all_of(triangles[t].begin(), triangles[t].end(), finite))
       throw InputError("triangle " + std::to_string(t) + ": a coordinate is not finite");
+  const std::vector<Piece> all = pieces(triangles);
+  facet_of.reserve(all.size());
+  for (const Piece& p : all) facet_of.push_back(p.facet);
+  Boxes boxes{all, frame};
   device.reset(rtcNewDevice(nullptr));
   check(device.get());
   scene.reset(rtcNewScene(device.get()));
   const Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
-  rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(triangles.size()));
-  rtcSetGeometryUserData(geometry.get(), this);
-  rtcSetGeometryBoundsFunction(geometry.get(), &bounds, nullptr);
+  rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(all.size()));
+  rtcSetGeometryUserData(geometry.get(), &boxes);
+  rtcSetGeometryBoundsFunction(geometry.get(), &Boxes::bounds, nullptr);
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometry(scene.get(), geometry.get());
   rtcCommitScene(scene.get());
@@ -134,8 +148,9 @@ void TriangleTree::Data::traverse(const Point& p, double radius, Visit visit) co
   }
   struct State {
     Visit& visit;
+    const std::vector<Index>& facet_of;
     double scale, size;
-  } state{visit, frame.scale, size};
+  } state{visit, facet_of, frame.scale, size};
   RTCPointQuery query{};
   query.x = static_cast<float>(at[0]), query.y = static_cast<float>(at[1]);
   query.z = static_cast<float>(at[2]);
@@ -144,7 +159,7 @@ void TriangleTree::Data::traverse(const Point& p, double radius, Visit visit) co
   rtcInitPointQueryContext(&context);
   const auto visit_one = [](RTCPointQueryFunctionArguments* arguments) {
     auto& s = *static_cast<State*>(arguments->userPtr);
-    const float now = reach(s.visit(arguments->primID) * s.scale, s.size);
+    const float now = reach(s.visit(s.facet_of[arguments->primID]) * s.scale, s.size);
     if (!(now < arguments->query->radius)) return false;
     arguments->query->radius = now;
     return true;
@@ -201,6 +216,8 @@ void TriangleTree::within(const Point& p, double radius, std::vector<Nearby>& fo
     return radius;
   });
   std::sort(found.begin(), found.end(), [](const Nearby& a, const Nearby& b) { return a.facet < b.facet; });
+  const auto same = [](const Nearby& a, const Nearby& b) { return a.facet == b.facet; };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
 }
 
 }  // namespace multimesh::spatial

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "multimesh/algorithms/to_point.hpp"
 
@@ -18,10 +19,17 @@ namespace {
 constexpr double bent_cosine = 0.9;
 /// Of the bound: a triangle is compared at four points, and may be farther in between.
 constexpr double few_points = 0.6;
+/// Points in a square whose side is the spacing.
+constexpr double per_square = 1.3;
 
 Vec3d normal(const spatial::Triangle& t) {
   const Vec3d a(t[0].data()), b(t[1].data()), c(t[2].data());
   return cross(b - a, c - a);
+}
+
+/// Of the side from corner i to the next one.
+double squared_side(const spatial::Triangle& t, std::size_t i) {
+  return (Vec3d(t[i].data()) - Vec3d(t[(i + 1) % 3].data())).sqrnorm();
 }
 
 }  // namespace
@@ -37,27 +45,36 @@ DistanceGuard::DistanceGuard(const Mesh& root, const Coordinates& positions, con
     for (std::size_t i = 0; i < 3; ++i)
       if (!known[v[i]]) {
         known[v[i]] = true;
-        points_.push_back(to_point(positions.at(v[i])));
-        put(static_cast<Index>(points_.size() - 1), f);
+        add_point(to_point(positions.at(v[i])), f);
       }
-    add_points(f, spacing);
+    const spatial::Triangle t = triangle(root.dart_of(2, f));
+    for (std::size_t i = 0; i < 3; ++i)
+      if (squared_side(t, i) >= spacing * spacing) {
+        add_points(t, f, spacing);
+        break;
+      }
   }
 }
 
-// A grid of points inside; none in a triangle that is small beside the spacing.
-void DistanceGuard::add_points(Index facet, double spacing) {
-  const spatial::Triangle t = triangle(root_.dart_of(2, facet));
-  double longest = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    longest = std::max(longest, (Vec3d(t[i].data()) - Vec3d(t[(i + 1) % 3].data())).norm());
-  if (longest < spacing) return;
-  const int n = static_cast<int>(std::min(1000.0, std::ceil(longest / spacing)));
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; i + j < n; ++j) {
-      const double u = (i + 1.0 / 3) / n, v = (j + 1.0 / 3) / n;
-      points_.push_back(spatial::at(t, {1 - u - v, u, v}));
-      put(static_cast<Index>(points_.size() - 1), facet);
-    }
+// In proportion to the area, whatever the shape: what makes no whole point in one triangle counts in the
+// next. The places are those of the R2 sequence, folded into the triangle, so that thin triangles side by
+// side have them at different places of their length. Source: Roberts, The unreasonable effectiveness of
+// quasirandom sequences, 2018.
+void DistanceGuard::add_points(const spatial::Triangle& t, Index facet, double spacing) {
+  constexpr double u_step = 0.7548776662466927, v_step = 0.5698402909980532;
+  due_ += per_square * normal(t).norm() / 2 / (spacing * spacing);
+  for (; due_ >= 1; due_ -= 1) {
+    u_ = std::fmod(u_ + u_step, 1);
+    v_ = std::fmod(v_ + v_step, 1);
+    const bool outside = u_ + v_ > 1;
+    const double u = outside ? 1 - u_ : u_, v = outside ? 1 - v_ : v_;
+    add_point(spatial::at(t, {1 - u - v, u, v}), facet);
+  }
+}
+
+void DistanceGuard::add_point(const spatial::Point& p, Index facet) {
+  points_.push_back(p);
+  put(static_cast<Index>(points_.size() - 1), facet);
 }
 
 spatial::Triangle DistanceGuard::triangle(Dart d) const {
@@ -88,24 +105,53 @@ void DistanceGuard::give_back() {
 }
 
 bool DistanceGuard::settle(const DartBuffer& triangles) {
-  std::vector<spatial::Triangle> candidates;
-  for (const Dart t : triangles) candidates.push_back(triangle(t));
+  find_nearest(triangles, bound_);
+  if (settled_.size() < taken_.size() || !is_near_input(triangles)) return false;
+  put_settled();
+  return true;
+}
+
+void DistanceGuard::hand_on(const DartBuffer& triangles) {
+  find_nearest(triangles, std::numeric_limits<double>::infinity());
+  put_settled();
+}
+
+// Of each point that was taken, as long as there is one within the distance.
+void DistanceGuard::find_nearest(const DartBuffer& triangles, double distance) {
+  candidates_.clear();
+  for (const Dart t : triangles) candidates_.push_back({triangle(t), root_.facet(t)});
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& x, const Candidate& y) { return x.facet < y.facet; });
   settled_.clear();
-  const double very_near = bound_ * bound_ / 64;  // no need to look for the nearest one
   for (const Taken& taken : taken_) {
-    double least = bound_ * bound_;
-    Index nearest = no_index;
-    for (std::size_t i = 0; i < candidates.size() && least > very_near; ++i)
-      if (const double d = spatial::closest_point(points_[taken.point], candidates[i]).squared_distance;
-          d <= least)
-        least = d, nearest = root_.facet(triangles[i]);
-    if (nearest == no_index) return false;
+    const Index nearest = nearest_candidate(taken, distance);
+    if (nearest == no_index) return;
     settled_.push_back(nearest);
   }
-  if (!is_near_input(triangles)) return false;
+}
+
+// The triangle that had the point is asked first: around a vertex with many triangles, others seldom are.
+Index DistanceGuard::nearest_candidate(const Taken& taken, double distance) const {
+  const double very_near = bound_ * bound_ / 64;  // no need to look for the nearest one
+  double least = distance * distance;
+  Index nearest = no_index;
+  const auto ask = [&](const Candidate& c) {
+    const double d = spatial::closest_point(points_[taken.point], c.triangle).squared_distance;
+    if (d <= least) least = d, nearest = c.facet;
+  };
+  const auto had = std::lower_bound(candidates_.begin(), candidates_.end(), taken.triangle,
+                                    [](const Candidate& c, Index facet) { return c.facet < facet; });
+  if (had != candidates_.end() && had->facet == taken.triangle) ask(*had);
+  for (const Candidate& c : candidates_) {
+    if (nearest != no_index && least <= very_near) break;
+    ask(c);
+  }
+  return nearest;
+}
+
+void DistanceGuard::put_settled() {
   for (std::size_t i = 0; i < taken_.size(); ++i) put(taken_[i].point, settled_[i]);
   taken_.clear();
-  return true;
 }
 
 // A triangle may reach over a bay of the boundary without bending.

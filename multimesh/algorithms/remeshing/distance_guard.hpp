@@ -22,6 +22,8 @@ class DistanceGuard {
   void take(const DartBuffer& triangles);
   /// Gives them to the triangles that are there now, if all of them are near enough. Else nothing is done.
   bool settle(const DartBuffer& triangles);
+  /// Gives them to the triangles that are there now, which are parts of what was there.
+  void hand_on(const DartBuffer& triangles);
   /// Gives them back to the triangles that had them.
   void give_back();
 
@@ -29,7 +31,15 @@ class DistanceGuard {
   struct Taken {
     Index point, triangle;
   };
-  void add_points(Index facet, double spacing);
+  struct Candidate {
+    spatial::Triangle triangle;
+    Index facet;
+  };
+  void add_points(const spatial::Triangle& t, Index facet, double spacing);
+  void add_point(const spatial::Point& p, Index facet);
+  void find_nearest(const DartBuffer& triangles, double distance);
+  Index nearest_candidate(const Taken& taken, double distance) const;
+  void put_settled();
   void put(Index point, Index triangle);
   bool touches_boundary(Dart triangle) const;
   bool is_near_input(const DartBuffer& triangles) const;
@@ -42,7 +52,10 @@ class DistanceGuard {
   std::vector<spatial::Point> points_;
   std::vector<Index> next_;   // per point: one more than the next one of its triangle
   std::vector<Index> first_;  // per triangle: one more than its first point
+  double due_ = 0;            // share of the next point
+  double u_ = 0, v_ = 0;      // of the last one
   std::vector<Taken> taken_;
+  std::vector<Candidate> candidates_;
   std::vector<Index> settled_;
 };
 

@@ -10,6 +10,7 @@ namespace multimesh::remeshing {
 using OpenMesh::Vec3d;
 
 void Remesher::smooth() {
+  placed_.resize(root_.capacity(0), false);
   for (Index v = 0; v < root_.capacity(0); ++v)
     if (root_.is_live(0, v))
       if (const Dart d = root_.dart_of(0, v); d != no_dart) smooth(d);
@@ -46,9 +47,12 @@ void Remesher::smooth(Dart vertex) {
     step = centre(vertex, normal) - here;
     if (normal.sqrnorm() > 0) step -= normal * ((step | normal) / normal.sqrnorm());
   }
+  const Index v = root_.vertex(vertex);
+  if (placed_[v] && step.norm() < smallest_move_) return;
   for (const double share : {1.0, 0.5, 0.25, 0.0})  // the last one: at least onto the input
     if (const auto to = place(vertex, freedom, line, here + step * share, normal); to && move(vertex, *to)) {
       ++result_.moves;
+      placed_[v] = true;
       return;
     }
 }

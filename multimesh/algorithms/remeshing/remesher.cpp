@@ -13,16 +13,13 @@ using OpenMesh::Vec3d;
 
 namespace {
 
-// Botsch and Kobbelt 2004, section 4: of the length wanted.
-constexpr double shortest_share = 4.0 / 5, longest_share = 4.0 / 3;
-/// With these thresholds edges on a surface come to be 0.92 of the length that they are shares of, on average
-/// (docs/remesh.md); who asks for a length means the average.
-constexpr double of_average = 1 / 0.92;
 /// How far the surface may be from the input, and how dense the points are by which that is judged; of the
 /// length wanted.
 constexpr double nearness = 0.4, spacing = 0.5;
 /// A pass is repeated until it finds nothing more to do, at most so often.
 constexpr int most_sweeps = 16;
+/// Vertices that are to move by less than this, of the length wanted, stay.
+constexpr double smallest_share = 0.004;
 /// Moves of all vertices per round.
 constexpr int smoothings = 2;
 
@@ -42,6 +39,7 @@ Remesher::Remesher(Propagation& operations, Coordinates& positions, std::span<Co
       hooks_(std::move(hooks)),
       shortest_(of_average * shortest_share * options.length),
       longest_(of_average * longest_share * options.length),
+      smallest_move_(smallest_share * options.length),
       strata_(tree_),
       reference_(tree_, positions, below, strata_, patch, line),
       guard_(root_, positions, reference_, nearness * options.length, spacing * options.length),
@@ -53,8 +51,9 @@ Remesher::Remesher(Propagation& operations, Coordinates& positions, std::span<Co
 RemeshResult Remesher::run() {
   const auto start = std::chrono::steady_clock::now();
   for (int round = 1; round <= options_.iterations; ++round) {
-    split_long_edges();
-    collapse_short_edges();
+    for (int i = 0; round == 1 && i < most_sweeps; ++i)
+      if (!collapse_short_edges()) break;
+    refine();
     swap_edges();
     for (int i = 0; i < smoothings; ++i) smooth();
     if (options_.progress) options_.progress(round);
@@ -64,84 +63,59 @@ RemeshResult Remesher::run() {
   return result_;
 }
 
-void Remesher::count_edges() {
-  for (Index e = 0; e < root_.capacity(1); ++e) {
-    if (!root_.is_live(1, e)) continue;
-    const double l = length(root_.dart_of(1, e));
-    ++result_.edges;
-    result_.edges_in_range += l >= shortest_share * options_.length && l <= longest_share * options_.length;
-  }
-}
-
-std::vector<std::pair<double, Index>> Remesher::edges_in(double shortest, double longest) const {
-  std::vector<std::pair<double, Index>> list;
-  for (Index e = 0; e < root_.capacity(1); ++e) {
-    if (!root_.is_live(1, e)) continue;
-    const double l = measure(root_.dart_of(1, e));
-    if (l > shortest && l < longest) list.emplace_back(l, e);
-  }
-  std::sort(list.begin(), list.end());
-  return list;
-}
-
-// Along a line, edges are as long on average as the thresholds say.
-double Remesher::measure(Dart edge, double length) const {
-  return line_[root_.simplex(edge, 1)] == 0 ? length : of_average * length;
-}
-
-void Remesher::split_long_edges() {
+// Edges in reach are halved once at a time, and what is too short then is collapsed: many long edges side by
+// side become fewer long before they are as short as they shall be.
+void Remesher::refine() {
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    auto list = edges_in(longest_, std::numeric_limits<double>::infinity());
-    std::reverse(list.begin(), list.end());
-    std::size_t split = 0;
-    for (const auto& [was, e] : list) {
-      const Dart d = root_.dart_of(1, e);
-      if (measure(d) <= longest_ || strata_.is_frozen(d)) continue;
-      Dart v = no_dart;
-      const auto halve = [&] {
-        Outcome o = operations_.split(NodeId::root, d);
-        if (o) o.root = v = root_.reorder(o.root, exchange_ends);
-        return o;
-      };
-      root_.star(d, 1, changing_);
-      if (!guarded(changing_, 0, halve)) continue;
-      ++split;
-      std::array<Dart, 2> line{};
-      const Freedom freedom = strata_.freedom(v, line);
-      Vec3d normal;
-      (void)centre(v, normal);
-      if (const auto to = place(v, freedom, line, at(v), normal)) move(v, *to);
-    }
-    result_.splits += split;
-    if (split == 0) return;
+    const std::size_t split = split_long_edges();
+    const std::size_t collapsed = collapse_short_edges();
+    if (split == 0 && collapsed == 0) return;
   }
 }
 
-void Remesher::collapse_short_edges() {
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    std::size_t collapsed = 0;
-    for (const auto& [was, e] : edges_in(-1, shortest_))
-      if (root_.is_live(1, e)) collapsed += collapse(root_.dart_of(1, e));
-    result_.collapses += collapsed;
-    if (collapsed == 0) return;
+std::size_t Remesher::split_long_edges() {
+  auto list = edges_in(longest_, std::numeric_limits<double>::infinity());
+  std::reverse(list.begin(), list.end());
+  std::size_t split = 0;
+  for (const auto& [was, e] : list) {
+    const Dart d = root_.dart_of(1, e);
+    if (measure(d) > longest_ && !strata_.is_frozen(d)) split += halve(d);
   }
+  result_.splits += split;
+  return split;
+}
+
+bool Remesher::halve(Dart edge) {
+  root_.star(edge, 1, changing_);
+  guard_.take(changing_);
+  const Outcome o = operations_.split(NodeId::root, edge);
+  if (!o) {
+    guard_.give_back();
+    return false;
+  }
+  const Dart v = root_.reorder(o.root, exchange_ends);
+  root_.star(v, 0, changing_);
+  guard_.hand_on(changing_);
+  std::array<Dart, 2> line{};
+  const Freedom freedom = strata_.freedom(v, line);
+  Vec3d normal;
+  (void)centre(v, normal);
+  if (const auto to = place(v, freedom, line, at(v), normal)) move(v, *to);
+  return true;
+}
+
+std::size_t Remesher::collapse_short_edges() {
+  std::size_t collapsed = 0;
+  for (const auto& [was, e] : edges_in(-1, shortest_))
+    if (root_.is_live(1, e)) collapsed += collapse(root_.dart_of(1, e));
+  result_.collapses += collapsed;
+  return collapsed;
 }
 
 // Of (a, b, ..): a is free on the surface, or on a line that the edge is part of.
 bool Remesher::may_be_removed(Dart edge) {
   const Freedom freedom = strata_.freedom(edge);
   return freedom == Freedom::surface || (freedom == Freedom::line && !strata_.is_plain(edge));
-}
-
-double Remesher::longest_after_collapse(Dart edge) {
-  const Dart other = root_.reorder(edge, exchange_ends);
-  edges_around(root_, edge, edges_);
-  double longest = 0;
-  for (const Dart x : edges_) {
-    const double then = (at(root_.reorder(x, exchange_ends)) - at(other)).norm();
-    longest = std::max(longest, measure(x, then));
-  }
-  return longest;
 }
 
 bool Remesher::guarded(DartBuffer& triangles, int k, const std::function<Outcome()>& operation) {

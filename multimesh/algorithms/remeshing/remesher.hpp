@@ -14,6 +14,12 @@
 
 namespace multimesh::remeshing {
 
+// Botsch and Kobbelt 2004, section 4: of the length wanted.
+inline constexpr double shortest_share = 4.0 / 5, longest_share = 4.0 / 3;
+/// With these thresholds edges on a surface come to be 0.92 of the length that they are shares of, on average
+/// (docs/remesh.md); who asks for a length means the average.
+inline constexpr double of_average = 1 / 0.92;
+
 /// What else an application keeps.
 struct Hooks {
   /// Edges of the root that are not swapped.
@@ -32,8 +38,10 @@ class Remesher {
   RemeshResult run();
 
  private:
-  void split_long_edges();
-  void collapse_short_edges();
+  void refine();
+  std::size_t split_long_edges();
+  bool halve(Dart edge);
+  std::size_t collapse_short_edges();
   void swap_edges();
   void smooth();
 
@@ -61,10 +69,11 @@ class Remesher {
   OpenMesh::Vec3d at(Dart d) const { return positions_.at(root_.vertex(d)); }
   double length(Dart edge) const { return (at(edge) - at(root_.reorder(edge, exchange_ends))).norm(); }
   /// Its length beside the thresholds.
-  double measure(Dart edge) const { return measure(edge, length(edge)); }
-  double measure(Dart edge, double length) const;
+  double measure(Dart edge);
+  double measure_on_line(double length, Dart from, Dart to);
+  std::optional<double> next_on_line(Dart edge);
   /// By measure, ascending.
-  std::vector<std::pair<double, Index>> edges_in(double shortest, double longest) const;
+  std::vector<std::pair<double, Index>> edges_in(double shortest, double longest);
   void count_edges();
 
   Propagation& operations_;
@@ -75,7 +84,8 @@ class Remesher {
   const RemeshOptions& options_;
   std::vector<Index>&patch_, &line_;
   Hooks hooks_;
-  double shortest_, longest_;
+  double shortest_, longest_, smallest_move_;
+  std::vector<bool> placed_;  // per vertex: on the input
 
   TreeStrata strata_;
   Reference reference_;

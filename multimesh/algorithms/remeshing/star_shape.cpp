@@ -13,15 +13,27 @@ namespace {
 /// Of the angle by which a normal may turn in one step.
 constexpr double least_cosine = 0.3;
 
-/// Triangles that are flatter than this are not made; nor flatter ones of those that are. See roundness().
-constexpr double flat = 0.05;
+/// Triangles that are flatter or thinner than this are not made; nor flatter or thinner ones of those that
+/// are.
+constexpr double flat = 0.15, thin = 0.05;
+/// By how much a thin triangle may get thinner still: along a strip of needles it leans more and more, until
+/// one of them is left.
+constexpr double leaning = 0.8;
 
-/// Twice the area over the square of the longest edge: 0.87 if equilateral. `n`: the cross product of two
-/// edges.
-double roundness(const std::array<Vec3d, 3>& t, const Vec3d& n) {
-  const double longest =
-      std::max({(t[1] - t[0]).sqrnorm(), (t[2] - t[1]).sqrnorm(), (t[0] - t[2]).sqrnorm()});
-  return longest > 0 ? n.norm() / longest : 0;
+/// Flatness from which on a normal is more than the noise of the coordinates.
+constexpr double with_normal = 1e-5;
+
+struct Form {
+  double flatness;  ///< the sine of the largest angle: 0.87 if equilateral, 1 of a needle with a right angle
+  double thinness;  ///< twice the area over the square of the longest edge: 0.87 if equilateral
+};
+
+/// `n`: the cross product of two edges.
+Form form(const std::array<Vec3d, 3>& t, const Vec3d& n) {
+  std::array<double, 3> squared{(t[1] - t[0]).sqrnorm(), (t[2] - t[1]).sqrnorm(), (t[0] - t[2]).sqrnorm()};
+  std::sort(squared.begin(), squared.end());
+  const double shorter = std::sqrt(squared[0] * squared[1]), area = n.norm();
+  return {shorter > 0 ? area / shorter : 0, squared[2] > 0 ? area / squared[2] : 0};
 }
 
 Vec3d normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -33,9 +45,11 @@ Vec3d normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 bool StarShape::same_side(const Triangle& before, const Triangle& after) const {
   const Vec3d n = normal(before[0], before[1], before[2]), m = normal(after[0], after[1], after[2]);
   if (planar_) return n[2] == 0 || n[2] * m[2] > 0;
-  const double flatness = std::min(flat, roundness(before, n));
-  if (roundness(after, m) < flatness) return false;
-  return n.sqrnorm() == 0 || (n | m) > least_cosine * n.norm() * m.norm();
+  const Form was = form(before, n), is = form(after, m);
+  if (was.flatness < with_normal) return true;
+  if (is.flatness < std::min(flat, was.flatness) || is.thinness < std::min(thin, leaning * was.thinness))
+    return false;
+  return (n | m) > least_cosine * n.norm() * m.norm();
 }
 
 bool StarShape::allows(Dart vertex, const Vec3d& to, Index without) {

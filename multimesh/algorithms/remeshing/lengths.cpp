@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lengths beside the thresholds.
+#include <algorithm>
+
+#include "multimesh/algorithms/remeshing/remesher.hpp"
+
+namespace multimesh::remeshing {
+
+void Remesher::count_edges() {
+  for (Index e = 0; e < root_.capacity(1); ++e) {
+    if (!root_.is_live(1, e)) continue;
+    const double l = length(root_.dart_of(1, e));
+    ++result_.edges;
+    result_.edges_in_range += l >= shortest_share * options_.length && l <= longest_share * options_.length;
+  }
+}
+
+std::vector<std::pair<double, Index>> Remesher::edges_in(double shortest, double longest) {
+  std::vector<std::pair<double, Index>> list;
+  for (Index e = 0; e < root_.capacity(1); ++e) {
+    if (!root_.is_live(1, e)) continue;
+    const double l = measure(root_.dart_of(1, e));
+    if (l > shortest && l < longest) list.emplace_back(l, e);
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+// Along a line, edges are as long on average as the thresholds say. An edge counts together with the next
+// ones on either side, with which smoothing will make it even: of edges that are all too short, but whose
+// double is too long, every third vertex can go.
+double Remesher::measure(Dart edge) {
+  return line_[root_.simplex(edge, 1)] == 0
+             ? length(edge)
+             : measure_on_line(length(edge), edge, root_.reorder(edge, exchange_ends));
+}
+
+double Remesher::measure_on_line(double length, Dart from, Dart to) {
+  return of_average * (2 * length + next_on_line(from).value_or(length) + next_on_line(to).value_or(length)) /
+         4;
+}
+
+/// The length of the other edge of the line on which (a, b, ..) lies, at a, if a may move along it.
+std::optional<double> Remesher::next_on_line(Dart edge) {
+  std::array<Dart, 2> line{};
+  if (strata_.freedom(edge, line) != Freedom::line) return std::nullopt;
+  return length(root_.same_simplex(line[0], edge, 1) ? line[1] : line[0]);
+}
+
+/// Of the edges at a that b will have when (a, b, ..) is collapsed. Those that are too long already do not
+/// count.
+double Remesher::longest_after_collapse(Dart edge) {
+  const Dart other = root_.reorder(edge, exchange_ends);
+  edges_around(root_, edge, edges_);
+  double longest = 0;
+  for (const Dart x : edges_) {
+    if (root_.same_simplex(x, edge, 1) || measure(x) > longest_) continue;
+    const Dart far = root_.reorder(x, exchange_ends);
+    const double then = (at(far) - at(other)).norm();
+    const bool on_line = line_[root_.simplex(x, 1)] != 0;
+    longest = std::max(longest, on_line ? measure_on_line(then, far, other) : then);
+  }
+  return longest;
+}
+
+}  // namespace multimesh::remeshing

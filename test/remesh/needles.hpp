@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "multimesh/algorithms/textured_triangles.hpp"
+
+namespace multimesh::test {
+
+/// How CAD programs triangulate a disk without a vertex of its own inside; `fan` has one in the middle.
+enum class Cap { fan, corner, strip, halves };
+inline constexpr Cap all_caps[] = {Cap::fan, Cap::corner, Cap::strip, Cap::halves};
+std::string name(Cap cap);
+
+/// Surfaces of few long thin triangles: `segments` around, none along. Radius 1 at the bottom.
+TexturedTriangles disk(int segments, Cap cap);
+TexturedTriangles cone(int segments, double height, Cap cap);
+TexturedTriangles cylinder(int segments, double height, double radius_on_top, Cap cap);
+/// A box of 1 x 1 x thickness, cut into strips across.
+TexturedTriangles plate(int segments, double thickness);
+
+}  // namespace multimesh::test

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Long thin triangles, as CAD programs write: the length is reached, and the work is what the result needs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "multimesh/algorithms/bounding_box.hpp"
+#include "multimesh/algorithms/remesh.hpp"
+#include "test/remesh/needles.hpp"
+
+namespace multimesh::test {
+namespace {
+
+using OpenMesh::Vec3d;
+
+/// Counted from the triangles alone.
+struct Counted {
+  std::size_t faces = 0, edges = 0, in_range = 0, not_two_faces = 0;
+  long euler = 0;
+  double area = 0;
+};
+
+Counted count(const TexturedTriangles& s, double length) {
+  std::map<std::pair<int, int>, int> edges;
+  std::map<int, int> vertices;
+  Counted c;
+  const auto at = [&](int v) { return s.positions[static_cast<std::size_t>(v)]; };
+  for (const auto& t : s.triangles) {
+    ++c.faces;
+    c.area += cross(at(t[1].position) - at(t[0].position), at(t[2].position) - at(t[0].position)).norm() / 2;
+    for (std::size_t i = 0; i < 3; ++i) {
+      ++vertices[t[i].position];
+      ++edges[std::minmax(t[i].position, t[(i + 1) % 3].position)];
+    }
+  }
+  c.edges = edges.size();
+  for (const auto& [e, faces] : edges) {
+    const double l = (at(e.first) - at(e.second)).norm();
+    c.in_range += l >= 0.8 * length && l <= 4.0 / 3 * length;
+    c.not_two_faces += faces != 2;
+  }
+  c.euler = long(vertices.size()) - long(c.edges) + long(c.faces);
+  return c;
+}
+
+/// `angle`: degrees; 0: no sharp curves.
+void expect_even(const TexturedTriangles& in, double relative, double angle) {
+  SCOPED_TRACE("length " + std::to_string(relative) + ", angle " + std::to_string(angle));
+  TexturedSurfaceOptions curves;
+  if (angle > 0) curves.feature_angle = angle * std::numbers::pi / 180;
+  TexturedSurface surface(in, curves);
+  SurfaceRemeshOptions options;
+  options.length = relative * bounding_box_diagonal(in.positions);
+  const RemeshResult r = remesh(surface, options);
+  std::vector<Index> source;
+  const Counted before = count(in, options.length), after = count(surface.triangles(source), options.length);
+  EXPECT_GE(double(after.in_range), 0.9 * double(after.edges));
+  const double right = after.area / (std::sqrt(3) / 4 * options.length * options.length);
+  EXPECT_LE(double(after.faces), 1.3 * right);
+  EXPECT_GE(double(after.faces), 0.7 * right);
+  EXPECT_NEAR(after.area, before.area, 0.1 * before.area);
+  EXPECT_EQ(after.euler, before.euler);
+  if (before.not_two_faces == 0) {
+    EXPECT_EQ(after.not_two_faces, 0U);
+  }
+  // Every operation is one on the way, not one there and back.
+  EXPECT_LE(r.splits + r.collapses, 4 * (before.faces + after.faces));
+}
+
+class Needles : public testing::TestWithParam<std::tuple<int, Cap>> {
+ protected:
+  int segments = std::get<0>(GetParam());
+  Cap cap = std::get<1>(GetParam());
+};
+
+TEST_P(Needles, BecomeEvenOnACylinder) {
+  for (const double length : {0.1, 0.05, 0.03})
+    for (const double angle : {0.0, 40.0}) expect_even(cylinder(segments, 2, 1, cap), length, angle);
+}
+
+TEST_P(Needles, BecomeEvenOnATaperedPipe) {
+  expect_even(cylinder(segments, 6, 0.4, cap), 0.03, 40);
+}
+
+TEST_P(Needles, BecomeEvenOnACone) {
+  for (const double length : {0.06, 0.03}) expect_even(cone(segments, 2, cap), length, 40);
+}
+
+TEST_P(Needles, BecomeEvenOnADisk) {
+  for (const double length : {0.05, 0.02}) expect_even(disk(segments, cap), length, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, Needles,
+                         testing::Combine(testing::Values(16, 64, 256, 2000), testing::ValuesIn(all_caps)),
+                         [](const auto& info) {
+                           return name(std::get<1>(info.param)) + std::to_string(std::get<0>(info.param));
+                         });
+
+TEST(NeedlesOnAPlate, BecomeEven) {
+  for (const int segments : {64, 500, 2000})
+    for (const double length : {0.05, 0.02})
+      for (const double angle : {0.0, 40.0}) expect_even(plate(segments, 0.25), length, angle);
+}
+
+}  // namespace
+}  // namespace multimesh::test
