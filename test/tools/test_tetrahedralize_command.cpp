@@ -12,9 +12,13 @@
 
 #include "adapters/io/simplex_reader.hpp"
 #include "program.hpp"
+#include "test/tetgen/voxels.hpp"
 
 namespace multimesh::tools::test {
 namespace {
+
+using multimesh::test::Listing;
+using multimesh::test::Voxels;
 
 #ifdef MULTIMESH_WITH_TETGEN
 
@@ -161,6 +165,70 @@ TEST_F(TetrahedralizeCommand, FaultsOfTrianglesAreRepairedWithAWarning) {
   EXPECT_TRUE(contains(e.err, "warning: ")) << e.err;
   EXPECT_TRUE(contains(e.err, "1 triangle run against the others")) << e.err;
   EXPECT_EQ(info("out.msh")["meshes"]["surface"]["faces"], 12);
+}
+
+/// The same triangles as an STL file with a solid per material.
+std::string stl(const Voxels& voxels) {
+  std::mt19937 random(1);
+  const Voxels::Surface surface = voxels.surface(Listing::by_solid, random);
+  std::ostringstream out;
+  for (std::size_t t = 0; t < surface.material.size(); ++t) {
+    const bool is_first = t == 0 || surface.material[t] != surface.material[t - 1];
+    if (is_first) out << (t > 0 ? "endsolid\n" : "") << "solid m" << surface.material[t] << '\n';
+    out << "facet normal 0 0 0\nouter loop\n";
+    for (const Index v : surface.triangles.facet(t)) {
+      const auto& p = surface.points[v];
+      out << "vertex " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    }
+    out << "endloop\nendfacet\n";
+  }
+  return out.str() + "endsolid\n";
+}
+
+TEST_F(TetrahedralizeCommand, MeshioAndGmshReadEveryRegionAndPatch) {
+  const auto command = [&](const std::string& line) {
+    return std::system(("cd '" + directory.string() + "' && " + line + " >log.txt 2>&1").c_str());
+  };
+  const bool has_meshio = command("/usr/bin/python3 -c 'import meshio'") == 0,
+             has_gmsh = command("gmsh --version") == 0;
+  if (!has_meshio && !has_gmsh) GTEST_SKIP() << "neither is installed";
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const Voxels voxels = Voxels::random(3, 3, 0.8, random);
+    file("in.stl", stl(voxels));
+    const bool is_2 = seed % 2 == 1;
+    const Ended e = run({"tetrahedralize", "in.stl", "-o", "out.msh", "--json", is_2 ? "--msh2" : "--ascii"});
+    ASSERT_EQ(e.status, 0) << e.err;
+    const Json j = Json::parse(e.out);
+    if (has_gmsh) {
+      command("gmsh -check out.msh");
+      const std::string log = content("log.txt");
+      EXPECT_EQ(log.find("Error"), std::string::npos) << log;
+      EXPECT_EQ(log.find("Warning"), std::string::npos) << log;
+    }
+    if (!has_meshio) continue;
+    ASSERT_EQ(command("/usr/bin/python3 " MULTIMESH_TEST_DATA "/volumes_by_meshio.py out.msh"), 0)
+        << content("log.txt");
+    std::istringstream lines(content("log.txt"));
+    std::size_t regions = 0, patches = 0;
+    std::map<std::string, double> volume;  // per material
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string kind, tag, size, amount, name;
+      for (std::string* word : {&kind, &tag, &size, &amount, &name}) std::getline(words, *word, ';');
+      regions += kind == "tetra", patches += kind == "triangle";
+      if (kind == "tetra") volume[name.substr(0, name.find('.'))] += std::stod(amount);
+    }
+    EXPECT_EQ(regions, j["regions"].size());
+    EXPECT_EQ(patches, j["patches"].size());
+    std::map<std::string, double> expected;
+    for (int i = 0; i < 27; ++i)
+      if (const int m = voxels.material({i % 3, i / 3 % 3, i / 9}); m != 0)
+        expected["m" + std::to_string(m)] += 0.125;
+    ASSERT_EQ(volume.size(), expected.size());
+    for (const auto& [name, v] : expected) EXPECT_NEAR(volume[name], v, 1e-6) << name;
+  }
 }
 
 TEST_F(TetrahedralizeCommand, SolidsThatNearlyTouchAreWelded) {
