@@ -76,11 +76,7 @@ class Patches {
     for (const Kind& kind : kinds) ++kinds_of[kind.tags];
     Tag next = 1;
     for (const Tag t : names_.tags) next = std::max(next, t + 1);
-    for (const auto& [tags, count] : kinds_of)
-      if (const std::string base = base_name(tags); count > 1 && !base.empty())
-        out.warnings.push_back("the part " + base +
-                               " of the surface lies between several pairs of regions: " +
-                               std::to_string(count) + " patches are made of it");
+    warn_of_parts(kinds_of, out.warnings);
     for (const Kind& kind : kinds) {
       std::string text = base_name(kind.tags);
       if (!text.empty() && kinds_of[kind.tags] > 1)
@@ -96,6 +92,25 @@ class Patches {
   Tag tag(const Kind& kind) const { return tag_of_.at(kind); }
 
  private:
+  void warn_of_parts(const std::map<std::vector<Tag>, int>& kinds_of,
+                     std::vector<std::string>& warnings) const {
+    int parts = 0, patches = 0;
+    std::string first;
+    for (const auto& [tags, count] : kinds_of) {
+      const std::string name = base_name(tags);
+      if (count == 1 || name.empty()) continue;
+      if (parts++ == 0) first = name;
+      patches += count;
+    }
+    if (parts == 1)
+      warnings.push_back("the part " + first + " of the surface lies between several pairs of regions: " +
+                         std::to_string(patches) + " patches are made of it");
+    if (parts > 1)
+      warnings.push_back(std::to_string(parts) + " parts of the surface, " + first +
+                         " among them, lie between several pairs of regions each: " +
+                         std::to_string(patches) + " patches are made of them");
+  }
+
   std::string base_name(const std::vector<Tag>& tags) const {
     std::string text;
     for (const Tag t : tags) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -229,6 +230,17 @@ TEST_F(TetrahedralizeCommand, MeshioAndGmshReadEveryRegionAndPatch) {
     ASSERT_EQ(volume.size(), expected.size());
     for (const auto& [name, v] : expected) EXPECT_NEAR(volume[name], v, 1e-6) << name;
   }
+}
+
+TEST_F(TetrahedralizeCommand, ManySolidsMayListWhatIsBetweenThem) {
+  std::vector<int> materials(64);
+  std::iota(materials.begin(), materials.end(), 1);
+  file("in.stl", stl(Voxels(4, materials)));
+  const Json j = filled("in.stl");
+  ASSERT_EQ(j["regions"].size(), 64U);
+  EXPECT_EQ(j["patches"].size(), 56U + 144U) << "of solids at the border, and between two";
+  EXPECT_EQ(names_of(j["regions"]).size(), 64U);
+  for (const Json& region : j["regions"]) EXPECT_NEAR(region["volume"].get<double>(), 0.125, 1e-9);
 }
 
 TEST_F(TetrahedralizeCommand, SolidsThatNearlyTouchAreWelded) {
