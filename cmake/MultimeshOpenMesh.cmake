@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# OpenMesh as one target of ours, multimesh_dep_openmesh. OpenMesh's own package has neither a version file
+# OpenMesh, its tools (decimaters, smoothers) included, as one target of ours, multimesh_dep_openmesh. OpenMesh's own package has neither a version file
 # (never ask it for a version) nor a namespace; its headers come in as system headers.
 
 find_package(OpenMesh CONFIG QUIET GLOBAL)
@@ -17,6 +17,6 @@ if(NOT found MATCHES "^0x" OR found LESS 0x90000)
 endif()
 
 add_library(multimesh_dep_openmesh INTERFACE)
-target_link_libraries(multimesh_dep_openmesh INTERFACE OpenMeshCore)
+target_link_libraries(multimesh_dep_openmesh INTERFACE OpenMeshTools OpenMeshCore)
 set_target_properties(multimesh_dep_openmesh PROPERTIES EXPORT_NAME dep_openmesh)
 set_property(GLOBAL APPEND PROPERTY MULTIMESH_LIBRARIES multimesh_dep_openmesh)

@@ -5,7 +5,6 @@ set -euo pipefail
 
 packages=(cmake ninja-build g++ git ccache pkg-config
   libopenmesh-dev libeigen3-dev libembree-dev libpugixml-dev zlib1g-dev
-  libcgal-dev libgmp-dev libmpfr-dev
   libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
 
 # Tetrahedra (MULTIMESH_WITH_TETGEN). AGPL-3, unlike all the others.

@@ -4,6 +4,7 @@
 #include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "adapters/openmesh/corner_values.hpp"
 #include "adapters/openmesh/mean.hpp"
 #include "adapters/openmesh/no_flips.hpp"
+#include "adapters/openmesh/property_handle.hpp"
 
 namespace multimesh::openmesh {
 
@@ -46,7 +48,8 @@ class Attached : public AttachedTree {
   using TexCoord = typename UserMesh::TexCoord2D;
 
   /// \throw InputError naming the first face that is not a triangle, vertex that is not manifold, or pair of
-  /// simplices with the same vertices; UsageError if the mesh is attached already. Cost: linear, with a sort
+  /// simplices with the same vertices (ManifoldCut takes these apart); UsageError if the mesh is attached
+  /// already. Cost: linear, with a sort
   explicit Attached(UserMesh& mesh, Watching edits = Watching::on)
       : AttachedTree(mesh, edits),
         mesh_(mesh),
@@ -80,15 +83,21 @@ class Attached : public AttachedTree {
                      when == WriteBack::each_operation);
     return child.node;
   }
-  /// Texture coordinates per vertex of the texture. \pre add_texture() was called
-  VertexAttribute<TexCoord>& texcoords() { return *texcoords_; }
-  /// From now on no triangle of the texture may flip or lose its area. \pre add_texture() was called
+  /// Texture coordinates per vertex of the texture. \throw UsageError if add_texture() was not called
+  VertexAttribute<TexCoord>& texcoords() {
+    require_texture(texcoords_ != nullptr);
+    return *texcoords_;
+  }
+  /// From now on no triangle of the texture may flip or lose its area. \throw UsageError if there is none
   void forbid_flips() {
+    require_texture(texcoords_ != nullptr && tree().contains(texcoords_->node()));
     if (std::exchange(without_flips_, texcoords_) == texcoords_) return;
     keep(std::make_unique<NoFlips<TexCoord>>(*texcoords_));
   }
-  /// Sets the texture coordinates of the mesh's halfedges. Cost: linear
+  /// Sets the texture coordinates of the mesh's halfedges, if the texture was not detached. \throw UsageError
+  /// if add_texture() was not called. Cost: linear
   void write_back() {
+    require_texture(corners_ != nullptr);
     if (corners_ && tree().contains(corners_->node())) corners_->write_all();
   }
 
@@ -101,10 +110,18 @@ class Attached : public AttachedTree {
       return x.is_valid() && y.is_valid() && !(mesh_.property(tag, x) == mesh_.property(tag, y));
     });
   }
+  template <FacePropertyManager Tags>
+  NodeId add_borders(const Tags& tags) {
+    return add_borders(tags.getRawProperty());
+  }
   /// The faces with one tag, as a mesh of their own.
   template <class Tag>
-  NodeId add_region(OpenMesh::FPropHandleT<Tag> tag, const Tag& value) {
+  NodeId add_region(OpenMesh::FPropHandleT<Tag> tag, const std::type_identity_t<Tag>& value) {
     return add_faces([&](OpenMesh::FaceHandle f) { return mesh_.property(tag, f) == value; });
+  }
+  template <FacePropertyManager Tags>
+  NodeId add_region(const Tags& tags, const typename Tags::Value& value) {
+    return add_region(tags.getRawProperty(), value);
   }
 
   /// From now on a vertex property of the user's own is interpolated (or taken from the nearer end, if it has
@@ -113,6 +130,11 @@ class Attached : public AttachedTree {
   VertexAttribute<T>& follow(OpenMesh::VPropHandleT<T> property,
                              typename VertexAttribute<T>::Rule rule = {}) {
     return follow_values(NodeId::root, values(property), std::move(rule));
+  }
+  template <VertexPropertyManager P>
+  VertexAttribute<typename P::Value>& follow(const P& property,
+                                             typename VertexAttribute<typename P::Value>::Rule rule = {}) {
+    return follow(property.getRawProperty(), std::move(rule));
   }
 
   /// Moves a vertex. Cost: constant, and that of invariants.

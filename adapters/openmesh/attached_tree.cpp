@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "adapters/openmesh/cut_labels.hpp"
 #include "adapters/openmesh/make_mesh.hpp"
 #include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/build.hpp"
@@ -40,7 +41,9 @@ void rename(const KeptHandles& handles, const Compaction& moved) {
 }  // namespace
 
 AttachedTree::AttachedTree(OpenMesh::PolyConnectivity& root, Watching edits)
-    : root_(root), tree_(std::make_unique<TriangleMesh>(root, edits)), operations_(tree_) {}
+    : root_(root), tree_(std::make_unique<TriangleMesh>(root, edits)), operations_(tree_) {
+  if (const auto* labels = cut_labels(root)) keep(std::make_unique<CopiesCanBeJoined>(*labels));
+}
 
 Dart AttachedTree::dart(OpenMesh::HalfedgeHandle h) const {
   const bool known = h.is_valid() && static_cast<std::size_t>(h.idx()) < root_.n_halfedges();
@@ -89,6 +92,10 @@ void AttachedTree::require_no_texture(bool has_texcoords) const {
     throw UsageError("the mesh has no texture coordinates on halfedges; request_halfedge_texcoords2D()");
   if (texture_ && tree_.contains(*texture_))
     throw UsageError("the mesh has a texture already; detach it first");
+}
+
+void AttachedTree::require_texture(bool has_texture) {
+  if (!has_texture) throw UsageError("the mesh has no texture; call add_texture() first");
 }
 
 TextureChild AttachedTree::add_texture_node(const std::function<bool(OpenMesh::FaceHandle)>& textured,

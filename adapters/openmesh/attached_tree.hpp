@@ -87,6 +87,7 @@ class AttachedTree {
     return kept;
   }
   void require_no_texture(bool has_texcoords) const;
+  static void require_texture(bool has_texture);
   /// `places`: per halfedge. The result names a halfedge per vertex of the texture.
   TextureChild add_texture_node(const std::function<bool(OpenMesh::FaceHandle)>& textured,
                                 const std::vector<OpenMesh::Vec2d>& places);

@@ -30,10 +30,18 @@ void remove_ours(OpenMesh::PolyConnectivity& om) {
 
 }  // namespace
 
+bool is_attached(const OpenMesh::PolyConnectivity& om) {
+  OpenMesh::MPropHandleT<Attachment::Owner> mark;
+  return om.get_property_handle(mark, mark_name) && om.property(mark)->load() == &om;
+}
+
+void require_detached(const OpenMesh::PolyConnectivity& om) {
+  if (is_attached(om)) throw UsageError("this OpenMesh mesh is already part of a multimesh; detach it first");
+}
+
 Attachment::Attachment(OpenMesh::PolyConnectivity& om) : om_(om) {
+  require_detached(om);
   if (om.get_property_handle(mark_, mark_name)) {
-    if (om.property(mark_)->load() == &om)
-      throw UsageError("this OpenMesh mesh is already part of a multimesh; detach it first");
     remove_ours(om);
     of_copy_ = true;
   }

@@ -23,13 +23,17 @@ class Attachment {
   /// Whether the mesh was copied while its original was attached: it has the status that we requested there.
   bool of_copy() const noexcept { return of_copy_; }
 
- private:
-  // The attached mesh; nullptr once it is detached. Shared by the mark and its copies.
+  /// The attached mesh; nullptr once it is detached. Shared by the mark and its copies.
   using Owner = std::shared_ptr<std::atomic<const OpenMesh::PolyConnectivity*>>;
 
+ private:
   OpenMesh::PolyConnectivity& om_;
   OpenMesh::MPropHandleT<Owner> mark_;
   bool of_copy_ = false;
 };
+
+bool is_attached(const OpenMesh::PolyConnectivity& om);
+/// \throw UsageError if it is
+void require_detached(const OpenMesh::PolyConnectivity& om);
 
 }  // namespace multimesh::openmesh

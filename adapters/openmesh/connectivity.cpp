@@ -51,7 +51,7 @@ Connectivity::~Connectivity() {
 namespace {
 
 void refuse_if_any(const std::vector<std::string>& problems) {
-  if (!problems.empty()) throw InputError(problems.front() + "; cut the mesh first (multimesh::cut)");
+  if (!problems.empty()) throw InputError(problems.front() + "; cut the mesh first (openmesh::ManifoldCut)");
 }
 
 }  // namespace

@@ -5,12 +5,14 @@
 
 #include "multimesh/attribute.hpp"
 #include "multimesh/invariant.hpp"
+#include "multimesh/orient2d.hpp"
 
 namespace multimesh::openmesh {
 
 /// No triangle of a mesh in the plane (a texture) changes its orientation or loses its area by a collapse or
-/// a swap. Those without area before may do what they like. A split changes no orientation. `T`: a vector
-/// whose first two components are the coordinates. Cost: that of the star.
+/// a swap, by exact signs. Triangles without area before a collapse are not checked. A split changes no
+/// orientation but by rounding. `T`: a vector whose first two components are the coordinates. Cost: that of
+/// the star.
 template <class T>
 class NoFlips final : public Invariant {
  public:
@@ -32,11 +34,12 @@ class NoFlips final : public Invariant {
 
  private:
   using Triangle = std::array<T, 3>;
-  static double area(const Triangle& p) {
-    return (double(p[1][0]) - double(p[0][0])) * (double(p[2][1]) - double(p[0][1])) -
-           (double(p[2][0]) - double(p[0][0])) * (double(p[1][1]) - double(p[0][1]));
+  static int side(const Triangle& p) {
+    double x[3][2];
+    for (std::size_t i = 0; i < 3; ++i) x[i][0] = double(p[i][0]), x[i][1] = double(p[i][1]);
+    return orient2d(x[0], x[1], x[2]);
   }
-  static bool same_sign(double before, double after) { return before == 0 || before * after > 0; }
+  static bool same_side(int before, int after) { return before == 0 || before == after; }
 
   // Around both ends, but for the triangles that die.
   bool keeps_signs(const Event& event, Dart e, const VertexChange& change) {
@@ -50,7 +53,7 @@ class NoFlips final : public Invariant {
         const Index other = v[0] == change.a ? change.b : change.a;
         if (v[1] == other || v[2] == other) continue;
         const Triangle before{places_[v[0]], places_[v[1]], places_[v[2]]};
-        if (!same_sign(area(before), area({merged, before[1], before[2]}))) return false;
+        if (!same_side(side(before), side({merged, before[1], before[2]}))) return false;
       }
     }
     return true;
@@ -63,8 +66,8 @@ class NoFlips final : public Invariant {
     mesh.vertices(star_[0], left.data());
     mesh.vertices(star_[1], right.data());
     const T &a = places_[left[0]], &b = places_[left[1]], &l = places_[left[2]], &r = places_[right[2]];
-    const double before = area({a, b, l});
-    return before * area({b, a, r}) > 0 && before * area({l, r, b}) > 0 && before * area({r, l, a}) > 0;
+    const int before = side({a, b, l});
+    return before != 0 && before == side({b, a, r}) && before == side({l, r, b}) && before == side({r, l, a});
   }
 
   const VertexAttribute<T>& places_;

@@ -36,7 +36,7 @@ void TriangleMesh::require_triangles() const {
   for (const auto v : om_.all_vertices())
     if (!om_.status(v).deleted() && !om_.is_isolated(v) && !om_.is_manifold(v))
       throw InputError("vertex " + std::to_string(v.idx()) +
-                       " joins several fans of faces; cut the mesh there (multimesh::cut)");
+                       " joins several fans of faces; cut the mesh there (openmesh::ManifoldCut)");
 }
 
 Dart TriangleMesh::edge_dart(OpenMesh::HalfedgeHandle a_to_b) const {

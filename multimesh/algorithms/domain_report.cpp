@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "multimesh/algorithms/tet_shape.hpp"
+#include "multimesh/orient3d.hpp"
 #include "multimesh/tet_sides.hpp"
 
 namespace multimesh {
@@ -35,7 +36,7 @@ DomainReport report(const TetDomain& domain) {
     Point p[4];
     for (int i = 0; i < 4; ++i) p[i] = domain.points()[mesh.corners(t)[i]];
     const double volume = six_volume(p[0], p[1], p[2], p[3]) / 6;
-    r.inverted_tets += !(volume > 0);
+    r.inverted_tets += orient3d(p[0].data(), p[1].data(), p[2].data(), p[3].data()) <= 0;
     r.min_dihedral = std::min(r.min_dihedral, min_dihedral(p));
     RegionReport& region = r.regions[domain.regions()[t]];
     ++region.tets;

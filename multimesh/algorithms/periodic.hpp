@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,8 +20,10 @@ namespace multimesh {
 /// (holes, microstructures). Vertices on opposite sides are different ones, at the same places but for a
 /// period.
 struct PeriodicTile {
+  using Region = std::int32_t;
   std::vector<std::array<double, 3>> points;
-  FacetList facets;  ///< dimension 2 or 3, into points
+  FacetList facets;               ///< dimension 2 or 3, into points
+  std::vector<Region> regions{};  ///< per facet, or empty: all 0
 };
 
 struct PeriodicOptions {
@@ -37,12 +41,33 @@ struct PeriodicOptions {
   bool refine = false;
 };
 
+/// The options for a tile of which a file says what is glued: pairs of vertices that are one, and the
+/// translations between them (io::periodic_pairs). The periods are a basis of the lattice of the
+/// translations, each one named by the axis it is most parallel to; axes without a period are not periodic.
+/// \throw InputError if there is no translation, or they generate no lattice
+PeriodicOptions options_of_pairs(std::vector<std::array<Index, 2>> pairs,
+                                 std::span<const std::array<double, 3>> translations);
+
+/// A side of a tile and its copy: faces of the boundary that are glued, a lattice vector apart. Face f of one
+/// is face f of the other, corner by corner.
+struct PeriodicSide {
+  LatticeVector shift{};    ///< from master to slave
+  FacetList master, slave;  ///< of vertices of tile_lists()
+};
+
+/// What the elements of tile_lists() were in the input.
+struct PeriodicSources {
+  std::vector<Index> facets;    ///< per facet: that which it is a part of
+  std::vector<Index> vertices;  ///< per vertex; no_index for those of splits and of `refine`
+};
+
 /// What was found, and what had to be done.
 struct PeriodicReport {
   std::array<std::size_t, 4> simplices{};  ///< of the root, by dimension
   long euler = 0;                          ///< V - E + F - T of the root
   std::vector<std::size_t> with_copies;    ///< [n]: vertices of the root with n copies in the tile
-  double largest_shift = 0;      ///< by which a copy was moved to fit; relative to the bounding-box diagonal
+  double largest_shift = 0;      ///< of a copy from where it should be, to which it was moved if that is more
+                                 ///< than rounding (1e-15); relative to the bounding-box diagonal
   std::size_t split_edges = 0;   ///< edges of the root split by `refine`
   std::size_t added_facets = 0;  ///< by that
   std::size_t cut_vertices = 0;  ///< vertices of the tile added because it is not manifold there
@@ -94,7 +119,7 @@ class PeriodicDomain {
   /// vertex have in common.
   VertexAttribute<LatticeVector>& offsets();
   const VertexAttribute<LatticeVector>& offsets() const;
-  /// Has both follow the operations.
+  /// Has both, and where vertices come from, follow the operations.
   void attach(Propagation& propagation);
 
   /// Of the tile as it was built: the facet and the vertex of the input; no_index for vertices of `refine`.
@@ -118,9 +143,22 @@ class PeriodicDomain {
   std::optional<NodeId> add_surface();
   /// The sides that are glued, as a child of the tile. \return nothing if there are none
   std::optional<NodeId> add_cuts();
+  /// The faces between different regions, as a child of the root, for they may lie in the sides: regions then
+  /// keep their shape. \return nothing if there are none
+  std::optional<NodeId> add_interfaces();
 
+  /// The region of a facet of the tile. Facets that a swap makes anew have that of one of the old ones: add
+  /// the interfaces if there are several.
+  PeriodicTile::Region region(Index tile_facet) const;
+
+  // --- to be written, and glued again as PeriodicDomain(tile_lists(), gluing())
   /// The tile as it is now, without dead elements.
   PeriodicTile tile_lists() const;
+  /// Its periods, and its pairs: each copy of a vertex with the one of the lowest number.
+  PeriodicOptions gluing() const;
+  /// Its sides, one entry per lattice vector. For $Periodic: io::add_periodic_faces.
+  std::vector<PeriodicSide> sides() const;
+  PeriodicSources sources() const;
 
  private:
   struct Data;
@@ -128,8 +166,8 @@ class PeriodicDomain {
 };
 
 /// Refuses operations after which a facet of the tile around any copy of the vertex or edge has negative or
-/// no volume. Triangles: no area as seen against the mean normal of the tile, so that tiles that are not flat
-/// must be graphs over their mean plane. Cost: the stars of all copies.
+/// no volume, by exact signs. Triangles: no area as seen against the mean normal of the tile, so that tiles
+/// that are not flat must be graphs over their mean plane. Cost: the stars of all copies.
 class TileStaysPositive final : public Invariant {
  public:
   explicit TileStaysPositive(const PeriodicDomain& domain);
@@ -143,6 +181,8 @@ class TileStaysPositive final : public Invariant {
 
 /// The volume of a tetrahedron of the tile; the area of a triangle as seen along `normal`. Signed.
 double signed_measure(const PeriodicDomain& domain, Index facet, const Eigen::Vector3d& normal);
+/// Its sign, exactly: of orient3d, or orient_against(normal, ..).
+int orientation(const PeriodicDomain& domain, Index facet, const Eigen::Vector3d& normal);
 /// Unit, of a tile of triangles; 0 for tetrahedra.
 Eigen::Vector3d mean_normal(const PeriodicDomain& domain);
 

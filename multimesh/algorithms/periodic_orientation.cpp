@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Geometry>
-
 #include "multimesh/algorithms/periodic.hpp"
 #include "multimesh/algorithms/periodic/vertex_values.hpp"
+#include "multimesh/orient3d.hpp"
 
 namespace multimesh {
 
@@ -13,6 +12,15 @@ double signed_measure(const PeriodicDomain& domain, Index facet, const Eigen::Ve
   oriented_corners(mesh, facet, v);
   const Eigen::Vector3d area = (p[v[1]] - p[v[0]]).cross(p[v[2]] - p[v[0]]) / 2;
   return mesh.dimension() == 2 ? area.dot(normal) : area.dot(p[v[3]] - p[v[0]]) / 3;
+}
+
+int orientation(const PeriodicDomain& domain, Index facet, const Eigen::Vector3d& normal) {
+  const Mesh& mesh = domain.tree().mesh(domain.tile());
+  const auto& p = domain.positions();
+  Index v[4];
+  oriented_corners(mesh, facet, v);
+  const double *a = p[v[0]].data(), *b = p[v[1]].data(), *c = p[v[2]].data();
+  return mesh.dimension() == 2 ? orient_against(normal.data(), a, b, c) : orient3d(a, b, c, p[v[3]].data());
 }
 
 Eigen::Vector3d mean_normal(const PeriodicDomain& domain) {
@@ -37,7 +45,7 @@ bool TileStaysPositive::after(const Event& event) {
     const Dart d = event.operation == Operation::split ? mesh.reorder(c.dart, exchange_ends) : c.dart;
     mesh.star(d, around, star_);
     for (const Dart t : star_)
-      if (!(signed_measure(domain_, mesh.facet(t), normal_) > 0)) return false;
+      if (orientation(domain_, mesh.facet(t), normal_) <= 0) return false;
   }
   return true;
 }

@@ -15,6 +15,7 @@
 #include "multimesh/algorithms/tet_shape.hpp"
 #include "multimesh/build.hpp"
 #include "multimesh/faces.hpp"
+#include "multimesh/orient3d.hpp"
 
 namespace multimesh {
 
@@ -46,7 +47,9 @@ std::size_t make_positive(const TaggedTetrahedra& input, Cut& cut) {
       std::swap(cut.facets.corners[4 * t], cut.facets.corners[4 * t + 1]);
       cut.reversed[t] = !cut.reversed[t];
     }
-    inverted += !((negative[t] ? -volumes[t] : volumes[t]) > 0);
+    const auto v = cut.facets.facet(t);
+    const auto at = [&](std::size_t i) { return input.points[cut.source[v[i]]].data(); };
+    inverted += orient3d(at(0), at(1), at(2), at(3)) <= 0;
   }
   return inverted;
 }

@@ -117,6 +117,35 @@ TYPED_TEST(AttachedMesh, HasChildrenFromWhatTheMeshKnows) {
   EXPECT_EQ(tree.children(NodeId::root).size(), 4U);
 }
 
+TYPED_TEST(AttachedMesh, TakesPropertyManagersWhereverPropertyHandles) {
+  auto heat = OpenMesh::getOrMakeProperty<OpenMesh::VertexHandle, double>(this->mesh_, "heat");
+  auto part = OpenMesh::getOrMakeProperty<OpenMesh::FaceHandle, std::string>(this->mesh_, "tag");
+  for (const auto v : this->mesh_.vertices()) heat[v] = v.idx();
+  openmesh::Attached attached(this->mesh_);
+  VertexAttribute<double>& follows = attached.follow(heat);
+  const NodeId borders = attached.add_borders(part);
+  const NodeId left = attached.add_region(part, "left");
+  EXPECT_EQ(report(attached.tree().mesh(borders)).edges, std::size_t{2 * this->n});
+  EXPECT_EQ(report(attached.tree().mesh(left)).faces, std::size_t{4 * this->n});
+  const auto h = this->halfedge(2, 2, 2, 3);
+  const double from = heat[this->mesh_.from_vertex_handle(h)], to = heat[this->mesh_.to_vertex_handle(h)];
+  const Outcome o = attached.split(this->mesh_.edge_handle(h), 0.5);
+  ASSERT_TRUE(o);
+  EXPECT_EQ(heat[OpenMesh::VertexHandle(int(this->mesh_.n_vertices()) - 1)], (from + to) / 2);
+  EXPECT_EQ(follows.node(), NodeId::root);
+}
+
+TYPED_TEST(AttachedMesh, RefusesTextureCallsWithoutATexture) {
+  openmesh::Attached attached(this->mesh_);
+  EXPECT_THROW(attached.forbid_flips(), UsageError);
+  EXPECT_THROW(attached.write_back(), UsageError);
+  EXPECT_THROW(attached.texcoords(), UsageError);
+  const NodeId texture = attached.add_texture();
+  attached.forbid_flips();
+  attached.tree().detach(texture);
+  EXPECT_THROW(attached.forbid_flips(), UsageError);
+}
+
 TYPED_TEST(AttachedMesh, KeepsTheTextureCoordinatesOfHalfedges) {
   openmesh::Attached attached(this->mesh_);
   const NodeId texture = attached.add_texture();

@@ -8,9 +8,9 @@
 #include <random>
 #include <set>
 
-#include "adapters/predicates/orientation.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/algorithms/improvement/amips.hpp"
+#include "multimesh/orient3d.hpp"
 #include "multimesh/validate.hpp"
 #include "test/support/topology.hpp"
 

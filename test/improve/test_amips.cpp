@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "adapters/predicates/orientation.hpp"
 #include "multimesh/algorithms/improvement/amips.hpp"
 #include "multimesh/algorithms/improvement/workspace.hpp"
+#include "multimesh/orient3d.hpp"
 #include "multimesh/permutation.hpp"
 
 namespace multimesh::improvement {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "adapters/predicates/orientation.hpp"
 #include "multimesh/algorithms/improve.hpp"
+#include "multimesh/orient3d.hpp"
 #include "test/improve/made_domain.hpp"
 
 namespace multimesh {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "test/periodic/periodic_storm.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "adapters/tet/tet_mesh.hpp"
 #include "multimesh/validate.hpp"
+#include "test/oracle/big_integer.hpp"
 
 namespace multimesh::test {
 
@@ -13,6 +16,24 @@ std::size_t live_facets(const Mesh& mesh) {
   std::size_t n = 0;
   for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f) n += mesh.is_live(mesh.dimension(), f);
   return n;
+}
+
+/// Exactly, by arithmetic of another kind.
+bool is_positive(const PeriodicDomain& domain, Index facet, const Eigen::Vector3d& normal) {
+  const Mesh& mesh = domain.tree().mesh(domain.tile());
+  std::array<Index, 4> corners{};
+  const bool is_flat = mesh.dimension() == 2;
+  if (is_flat) {
+    mesh.vertices(mesh.dart_of(2, facet), corners.data());
+  } else {
+    std::copy_n(dynamic_cast<const tet::TetMesh&>(mesh).corners(facet), 4, corners.begin());
+  }
+  std::array<std::array<double, 3>, 4> p{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector3d at = is_flat && i == 3 ? normal : domain.positions()[corners[i]];
+    p[i] = {at[0], at[1], at[2]};
+  }
+  return oracle::exact_orientation(p, is_flat) > 0;
 }
 
 }  // namespace
@@ -87,7 +108,7 @@ std::string PeriodicStorm::fault() const {
   const Mesh& mesh = tree.mesh(domain_.tile());
   const Eigen::Vector3d normal = mean_normal(domain_);
   for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
-    if (mesh.is_live(mesh.dimension(), f) && !(signed_measure(domain_, f, normal) > 0))
+    if (mesh.is_live(mesh.dimension(), f) && !is_positive(domain_, f, normal))
       return "facet " + std::to_string(f) + " of the tile is inverted";
   return {};
 }

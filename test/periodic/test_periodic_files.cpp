@@ -27,8 +27,8 @@ struct Content {
   std::vector<std::array<Index, 2>> pairs;
 };
 
-std::optional<Content> read(const char* name) {
-  const auto path = std::filesystem::path(MULTIMESH_SHARED_DATA) / "periodic" / name;
+std::optional<Content> read(const std::string& name, const char* folder = "periodic") {
+  const auto path = std::filesystem::path(MULTIMESH_SHARED_DATA) / folder / name;
   if (!std::filesystem::exists(path)) return std::nullopt;
   const io::SimplexSoup soup = io::read_simplices(path);
   const int d = soup.dimension();
@@ -145,6 +145,53 @@ TEST(PeriodicFileRefused, ForTheRightReason) {
     const std::string why = refusal(file->tile, c.options);
     EXPECT_NE(why.find(c.reason), std::string::npos) << c.name << ": " << why;
   }
+}
+
+/// Tiles with all the ways in which sides can meet; the numbers were found by a program of another author.
+TEST(PeriodicTiles, AreGluedAsTheyShould) {
+  using Vectors = std::array<std::array<double, 3>, 3>;
+  const Vectors unit{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const std::array<bool, 3> xy{true, true, false}, xyz{true, true, true};
+  const struct {
+    const char* name;
+    std::array<bool, 3> axes;
+    std::optional<Vectors> periods;
+    std::size_t vertices, facets;
+    long euler;
+  } tiles[] = {
+      {"bcc_struts.msh.gz", xyz, {}, 1618, 4824, -6},
+      {"brick_bond_2d.msh.gz", xy, Vectors{{{1, 0, 0}, {0.5, 0.6, 0}, {}}}, 240, 480, 0},
+      {"gyroid_sheet.msh.gz", xyz, {}, 3451, 12756, -8},
+      {"gyroid_solid.msh.gz", xyz, {}, 1159, 4038, -4},
+      {"hexagon_oblique.msh.gz", xy, Vectors{{{1.7320508075688772, 0, 0}, {0.8660254037844386, 1.5, 0}, {}}},
+       192, 384, 0},
+      {"jagged_cube.msh.gz", xyz, unit, 216, 1296, 0},
+      {"rve2d_coarse_v41.msh.gz", xy, {}, 218, 436, 0},
+      {"rve3d_spheres_v41.msh.gz", xyz, {}, 791, 4833, 0},
+      {"schwarzp_two_regions.msh.gz", xyz, {}, 1144, 6576, 0},
+      {"sfepy_osteonT1_11.msh.gz", xy, {}, 1146, 2292, 0},
+      {"slivers_2d.obj.gz", xy, {}, 256, 512, 0},
+      {"slivers_2d_curved.obj.gz", xy, unit, 256, 512, 0},
+      {"thin_film_xy.msh.gz", xy, {}, 946, 3292, 0},
+      {"cube_order2_v41.msh.gz", xyz, {}, 181, 1095, 0},
+  };
+  for (const auto& t : tiles) {
+    SCOPED_TRACE(t.name);
+    const auto file = read(t.name, "periodic_tiles");
+    if (!file) GTEST_SKIP() << t.name << " is missing";
+    PeriodicOptions options;
+    options.axes = t.axes;
+    options.periods = t.periods;
+    PeriodicDomain domain(file->tile, options);
+    EXPECT_EQ(domain.report().simplices[0], t.vertices);
+    EXPECT_EQ(domain.report().simplices[static_cast<std::size_t>(file->tile.facets.dimension)], t.facets);
+    EXPECT_EQ(domain.report().euler, t.euler);
+    EXPECT_LE(domain.mismatch(), 1e-15);
+  }
+  for (const char* name : {"rve3d_t18way_v41.msh.gz", "sfepy_cube_sphere.msh.gz"})
+    EXPECT_NE(refusal(read(name, "periodic_tiles")->tile, along(true, true, true)).find("do not match"),
+              std::string::npos)
+        << name;
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "adapters/predicates/orientation.hpp"
 #include "multimesh/orient2d.hpp"
+#include "multimesh/orient3d.hpp"
 
 namespace multimesh::improvement {
 

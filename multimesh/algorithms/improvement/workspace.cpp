@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "adapters/predicates/orientation.hpp"
+#include "multimesh/orient3d.hpp"
 
 namespace multimesh::improvement {
 

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -49,6 +51,56 @@ std::optional<LatticeVector> Lattice::nearest(const Point& displacement, double 
   }
   if (!((shift(v) - displacement).norm() <= tolerance)) return std::nullopt;
   return v;
+}
+
+namespace {
+
+/// Coefficients of v by basis vectors, and what is left of it across them.
+struct Expansion {
+  Eigen::VectorXd coefficients;
+  Eigen::Vector3d rest;
+};
+
+Expansion expand(const std::vector<Eigen::Vector3d>& basis, const Eigen::Vector3d& v) {
+  if (basis.empty()) return {{}, v};
+  Eigen::MatrixXd m(3, static_cast<Eigen::Index>(basis.size()));
+  for (std::size_t i = 0; i < basis.size(); ++i) m.col(static_cast<Eigen::Index>(i)) = basis[i];
+  Expansion e{m.colPivHouseholderQr().solve(v), {}};
+  e.rest = v - m * e.coefficients;
+  return e;
+}
+
+}  // namespace
+
+// A vector that is no integer combination of the basis takes, less the nearest one, the place of a basis
+// vector, which is then asked itself. That divides the volume of the cell by two or more each time.
+std::vector<Eigen::Vector3d> lattice_basis(std::span<const Eigen::Vector3d> vectors, double tolerance) {
+  std::vector<Eigen::Vector3d> basis, left(vectors.begin(), vectors.end());
+  std::stable_sort(left.begin(), left.end(),
+                   [](const auto& v, const auto& w) { return v.norm() > w.norm(); });
+  for (int steps = 0; !left.empty(); ++steps) {
+    if (steps > 1000 + 4 * static_cast<int>(vectors.size()))
+      throw InputError("the translations of the periodic links generate no lattice");
+    const Eigen::Vector3d v = left.back();
+    left.pop_back();
+    const Expansion e = expand(basis, v);
+    if (e.rest.norm() > tolerance) {
+      basis.push_back(v);
+      continue;
+    }
+    Eigen::Vector3d nearer = Eigen::Vector3d::Zero();
+    std::size_t largest = 0;
+    double most = 0;
+    for (std::size_t i = 0; i < basis.size(); ++i) {
+      const double c = e.coefficients[static_cast<Eigen::Index>(i)], fraction = c - std::round(c);
+      nearer += fraction * basis[i];
+      if (std::abs(fraction) > most) most = std::abs(fraction), largest = i;
+    }
+    if (nearer.norm() <= tolerance) continue;
+    std::swap(basis[largest], nearer);
+    left.push_back(nearer);
+  }
+  return basis;
 }
 
 std::string name_of(const LatticeVector& v) {

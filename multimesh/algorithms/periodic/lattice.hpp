@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace multimesh {
 
@@ -35,6 +37,10 @@ class Lattice {
   Point coordinates(const Point& p) const { return inverse_ * p; }
   /// Distance of the planes at which such a coordinate is 0 and 1.
   double height(int axis) const { return 1 / inverse_.row(axis).norm(); }
+  /// The same of a combination of coordinates. \pre not 0
+  double spacing(const LatticeVector& combination) const {
+    return 1 / (Eigen::RowVector3d(combination[0], combination[1], combination[2]) * inverse_).norm();
+  }
   /// The lattice vector within `tolerance` of a displacement.
   std::optional<LatticeVector> nearest(const Point& displacement, double tolerance) const;
 
@@ -42,6 +48,10 @@ class Lattice {
   std::array<bool, 3> periodic_;
   Eigen::Matrix3d periods_ = Eigen::Matrix3d::Zero(), inverse_;
 };
+
+/// A basis of the lattice that vectors generate, up to three of them; those that are given, if they will do.
+/// Vectors shorter than `tolerance` are 0. \throw InputError if they generate no lattice
+std::vector<Eigen::Vector3d> lattice_basis(std::span<const Eigen::Vector3d> vectors, double tolerance);
 
 /// "x", "x+y", "2z-x", ...
 std::string name_of(const LatticeVector& v);

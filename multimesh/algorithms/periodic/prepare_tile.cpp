@@ -3,6 +3,7 @@
 
 #include "multimesh/algorithms/periodic/glue_tile.hpp"
 #include "multimesh/algorithms/periodic/match_sides.hpp"
+#include "multimesh/algorithms/periodic/open_sides.hpp"
 #include "multimesh/algorithms/periodic/quotient_edges.hpp"
 #include "multimesh/algorithms/periodic/refine_tile.hpp"
 
@@ -16,6 +17,9 @@ void check_lists(const PeriodicTile& in) {
   if (in.facets.corners.empty() || in.facets.corners.size() % in.facets.corners_per_facet() != 0)
     throw InputError("the tile has " + std::to_string(in.facets.corners.size()) + " corners, not " +
                      std::to_string(in.facets.corners_per_facet()) + " per facet");
+  if (!in.regions.empty() && in.regions.size() != in.facets.size())
+    throw InputError("the tile has " + std::to_string(in.facets.size()) + " facets and " +
+                     std::to_string(in.regions.size()) + " regions of facets");
   FacetList facets = in.facets;
   facets.vertices = static_cast<Index>(in.points.size());
   require_corners(facets, [](std::size_t f) { return "facet " + std::to_string(f) + " of the tile"; });
@@ -38,14 +42,17 @@ Lattice lattice_of(const PeriodicOptions& options, const Eigen::Vector3d& extent
   return Lattice(options.axes, periods);
 }
 
-// Copies get the place of their representative, shifted.
+// Copies get the place of their representative, shifted. Those that fit but for rounding stay: a tile that
+// was written is read as it was, with its thinnest facets.
 void fit_copies(LabelledTile& tile, const Lattice& lattice, VertexClasses& classes, PeriodicReport& report,
                 double diagonal) {
+  constexpr double rounding = 1e-15;
   for (Index v = 0; v < tile.point.size(); ++v) {
     if (tile.vertex_class[v] == no_index) continue;
     const Eigen::Vector3d place = tile.point[classes.representative(v)] + lattice.shift(tile.offset[v]);
-    report.largest_shift = std::max(report.largest_shift, (place - tile.point[v]).norm() / diagonal);
-    tile.point[v] = place;
+    const double distance = (place - tile.point[v]).norm() / diagonal;
+    report.largest_shift = std::max(report.largest_shift, distance);
+    if (distance > rounding) tile.point[v] = place;
   }
 }
 
@@ -86,8 +93,10 @@ PreparedTile prepare_tile(const PeriodicTile& input, const PeriodicOptions& opti
 
   Lattice lattice = lattice_of(options, high - low, tolerance);
   VertexClasses classes(tile.point.size());
+  std::vector<LatticeVector> vectors;
   if (options.pairs.empty()) {
-    match_sides(lattice, tile.point, used, tolerance, classes);
+    vectors = vectors_within(lattice, tile.point, used, tolerance);
+    match_sides(lattice, tile.point, used, vectors, tolerance, classes);
   } else {
     match_pairs(lattice, tile.point, options.pairs, tolerance, classes);
   }
@@ -103,6 +112,7 @@ PreparedTile prepare_tile(const PeriodicTile& input, const PeriodicOptions& opti
     tile.offset[v] = classes.offset(v);
   }
   fit_copies(tile, lattice, classes, report, diagonal);
+  require_no_open_sides(tile, lattice, vectors, tolerance);
   make_proper(tile, options.refine, report);
   return {std::move(tile), std::move(lattice), diagonal};
 }

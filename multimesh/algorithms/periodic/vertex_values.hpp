@@ -18,6 +18,14 @@ std::vector<T>& add_vertex_values(Mesh& mesh, const std::string& name) {
   return openmesh::add_values(om, OpenMesh::VPropHandleT<T>(), name);
 }
 
+/// The same on its facets; the halves of a split facet have the value of the whole.
+template <class T>
+std::vector<T>& add_facet_values(Mesh& mesh, const std::string& name) {
+  if (auto* tets = dynamic_cast<tet::TetMesh*>(&mesh)) return tets->add_tet_property<T>(name).values;
+  auto& om = dynamic_cast<openmesh::Connectivity&>(mesh).openmesh();
+  return openmesh::add_values(om, OpenMesh::FPropHandleT<T>(), name);
+}
+
 /// \pre outside of transactions
 inline void lock_vertex(Mesh& mesh, Index v) {
   if (auto* tets = dynamic_cast<tet::TetMesh*>(&mesh)) return tets->set_locked(v, true);

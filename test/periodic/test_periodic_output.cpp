@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A tile after operations is written with its periods, pairs, regions and sources, and glued again.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "adapters/io/periodic_links.hpp"
+#include "adapters/io/simplex_reader.hpp"
+#include "adapters/io/simplex_writer.hpp"
+#include "multimesh/validate.hpp"
+#include "test/periodic/periodic_storm.hpp"
+#include "test/periodic/recut.hpp"
+#include "test/periodic/tiles.hpp"
+
+namespace multimesh::test {
+namespace {
+
+io::SimplexSoup soup_of(const PeriodicDomain& domain) {
+  const PeriodicTile tile = domain.tile_lists();
+  const auto d = static_cast<std::size_t>(tile.facets.dimension);
+  io::SimplexSoup soup;
+  soup.points = tile.points;
+  soup.simplices[d].corners = tile.facets.corners;
+  soup.simplices[d].tags = tile.regions;
+  soup.simplices[d].tags.resize(tile.facets.size());
+  std::vector<io::PeriodicFaces> faces;
+  for (const PeriodicSide& side : domain.sides()) {
+    const Eigen::Vector3d t = domain.lattice().shift(side.shift);
+    faces.push_back({name_of(side.shift), {t[0], t[1], t[2]}, side.master.corners, side.slave.corners});
+  }
+  io::add_periodic_faces(soup, tile.facets.dimension - 1, faces);
+  return soup;
+}
+
+PeriodicDomain domain_of(const io::SimplexSoup& soup) {
+  const int d = soup.dimension();
+  const auto& facets = soup.simplices[static_cast<std::size_t>(d)];
+  const io::PeriodicPairs links = io::periodic_pairs(soup);
+  PeriodicTile tile;
+  tile.points = soup.points;
+  tile.facets.dimension = d;
+  tile.facets.corners = facets.corners;
+  tile.regions = facets.tags;
+  return PeriodicDomain(tile, options_of_pairs(links.pairs, links.translations));
+}
+
+/// Area or volume by region; in a tile of triangles as seen along z.
+std::map<PeriodicTile::Region, double> sizes(const PeriodicDomain& domain) {
+  const Mesh& mesh = domain.tree().mesh(domain.tile());
+  std::map<PeriodicTile::Region, double> sizes;
+  for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
+    if (mesh.is_live(mesh.dimension(), f))
+      sizes[domain.region(f)] += std::abs(signed_measure(domain, f, Eigen::Vector3d::UnitZ()));
+  return sizes;
+}
+
+/// Whether each period of one lattice is a vector of the other one, and the other way round.
+void expect_same_lattice(const Lattice& a, const Lattice& b) {
+  for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}})
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_TRUE(!one->is_periodic(axis) || other->nearest(one->periods().col(axis), 1e-9)) << "xyz"[axis];
+    }
+}
+
+void expect_same(const PeriodicDomain& a, const PeriodicDomain& b) {
+  EXPECT_EQ(a.report().euler, b.report().euler);
+  EXPECT_LE(b.report().largest_shift, 1e-15);
+  EXPECT_EQ(b.report().inverted_facets, 0U);
+  const Mesh &one = a.tree().mesh(NodeId::root), &other = b.tree().mesh(NodeId::root);
+  std::size_t live = 0;
+  for (Index f = 0; f < one.capacity(one.dimension()); ++f) live += one.is_live(one.dimension(), f);
+  EXPECT_EQ(live, other.capacity(other.dimension()));
+  EXPECT_EQ(validate(b.tree()), std::vector<std::string>{});
+  expect_same_lattice(a.lattice(), b.lattice());
+  const auto before = sizes(a), after = sizes(b);
+  ASSERT_EQ(before.size(), after.size());
+  for (const auto& [region, size] : before) EXPECT_NEAR(after.at(region), size, 1e-12) << region;
+}
+
+class PeriodicOutput : public testing::TestWithParam<std::tuple<int, Recut>> {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("multimesh_periodic_" + std::to_string(std::random_device()()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// A torus that was cut up, in regions 3 and 8.
+  static RecutTorus torus(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto [d, how] = GetParam();
+    RecutTorus t = recut_torus(d, 4, how, random);
+    for (std::size_t f = 0; f < t.tile.facets.size(); ++f) t.tile.regions.push_back(random() % 4 ? 8 : 3);
+    return t;
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_P(PeriodicOutput, IsReadAgainAfterAStorm) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RecutTorus input = torus(seed);
+    PeriodicDomain domain(input.tile, input.options);
+    ASSERT_TRUE(domain.add_interfaces());
+    PeriodicStorm storm(domain, seed, true);
+    for (int i = 0; i < 500; ++i) storm.step();
+    const io::SimplexSoup soup = soup_of(domain);
+    for (const auto version : {io::MshVersion::v2_2, io::MshVersion::v4_1})
+      for (const bool binary : {false, true}) {
+        const auto path = folder_ / "tile.msh";
+        EXPECT_EQ(io::write_simplices(path, soup, {version, binary}), std::vector<std::string>{});
+        expect_same(domain, domain_of(io::read_simplices(path)));
+      }
+  }
+}
+
+TEST_P(PeriodicOutput, IsGluedAgainInMemory) {
+  const RecutTorus input = torus(7);
+  PeriodicDomain domain(input.tile, input.options);
+  PeriodicStorm storm(domain, 7, true);
+  for (int i = 0; i < 500; ++i) storm.step();
+  expect_same(domain, PeriodicDomain(domain.tile_lists(), domain.gluing()));
+}
+
+TEST_P(PeriodicOutput, TellsWhereFacetsAndVerticesComeFrom) {
+  const RecutTorus input = torus(9);
+  PeriodicDomain domain(input.tile, input.options);
+  ASSERT_TRUE(domain.add_interfaces());
+  PeriodicStorm storm(domain, 3, true);
+  for (int i = 0; i < 300; ++i) storm.step();
+  const PeriodicTile now = domain.tile_lists();
+  const PeriodicSources sources = domain.sources();
+  ASSERT_EQ(sources.facets.size(), now.facets.size());
+  ASSERT_EQ(sources.vertices.size(), now.points.size());
+  ASSERT_EQ(now.regions.size(), now.facets.size());
+  for (std::size_t f = 0; f < now.facets.size(); ++f) {
+    ASSERT_LT(sources.facets[f], input.tile.facets.size());
+    EXPECT_EQ(now.regions[f], input.tile.regions[sources.facets[f]]);
+  }
+  std::map<Index, int> seen, at_first;  // more than once where the tile was cut
+  for (const Index v : domain.input_vertices()) ++at_first[v];
+  for (const Index v : sources.vertices)
+    if (v != no_index) {
+      EXPECT_LE(++seen[v], at_first[v]) << "vertex " << v;
+    }
+  EXPECT_FALSE(seen.empty());
+  EXPECT_LT(seen.size(), sources.vertices.size());
+}
+
+TEST_P(PeriodicOutput, SidesCoverWhatIsGlued) {
+  const RecutTorus input = torus(11);
+  PeriodicDomain domain(input.tile, input.options);
+  std::size_t faces = 0;
+  const PeriodicTile tile = domain.tile_lists();
+  for (const PeriodicSide& side : domain.sides()) {
+    faces += 2 * side.master.size();
+    ASSERT_EQ(side.master.corners.size(), side.slave.corners.size());
+    const Eigen::Vector3d shift = domain.lattice().shift(side.shift);
+    for (std::size_t i = 0; i < side.master.corners.size(); ++i) {
+      const Eigen::Vector3d m(tile.points[side.master.corners[i]].data()),
+          s(tile.points[side.slave.corners[i]].data());
+      EXPECT_LE((s - m - shift).norm(), 1e-14);
+    }
+  }
+  const auto cuts = domain.add_cuts();
+  ASSERT_TRUE(cuts);
+  const Mesh& mesh = domain.tree().mesh(*cuts);
+  EXPECT_EQ(faces, mesh.capacity(mesh.dimension()));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PeriodicOutput,
+                         testing::Combine(testing::Values(2, 3),
+                                          testing::Values(Recut::rows, Recut::blocks, Recut::plane)));
+
+TEST(PeriodicBox, IsReadAgainAfterACornerMoved) {
+  PeriodicDomain domain(cube_tile(4), along(true, true, true));
+  Propagation propagation(domain.tree());
+  domain.attach(propagation);
+  const Dart corner = domain.tree().mesh(domain.tile()).dart_of(0, 0);
+  ASSERT_TRUE(domain.move(propagation, domain.tile(), corner, {0.03, 0.02, 0.01}));
+  expect_same(domain, domain_of(soup_of(domain)));
+}
+
+TEST(LatticeBasis, GeneratesWhatItWasGiven) {
+  std::mt19937 random(4);
+  const auto integer = [&] { return double(random() % 7) - 3; };
+  for (int i = 0; i < 300; ++i) {
+    const int rank = 1 + i % 3;
+    Eigen::Matrix3d periods = Eigen::Matrix3d::Zero();
+    for (int k = 0; k < rank; ++k)
+      periods.col(k) = Eigen::Vector3d::Unit(k) + 0.3 * Eigen::Vector3d::Random();
+    // Many combinations, so that they generate all of it; none of them need be short.
+    std::vector<Eigen::Vector3d> given;
+    for (int n = 0; n < 12; ++n) {
+      Eigen::Vector3d c = Eigen::Vector3d::Zero();
+      for (int k = 0; k < rank; ++k) c[k] = integer();
+      given.push_back(periods * c + 1e-12 * Eigen::Vector3d::Random());
+    }
+    for (int k = 0; k < rank; ++k) {
+      given.push_back(given[static_cast<std::size_t>(k)] + periods.col(k));
+      given.push_back(given[static_cast<std::size_t>(k)]);
+    }
+    const auto basis = lattice_basis(given, 1e-6);
+    ASSERT_EQ(basis.size(), static_cast<std::size_t>(rank));
+    Eigen::Matrix3d b = Eigen::Matrix3d::Zero();
+    std::array<bool, 3> on{};
+    for (std::size_t k = 0; k < basis.size(); ++k)
+      b.col(static_cast<Eigen::Index>(k)) = basis[k], on[k] = true;
+    expect_same_lattice(Lattice(on, b), Lattice(on, periods));
+  }
+}
+
+TEST(LatticeBasis, KeepsVectorsThatWillDo) {
+  const std::vector<Eigen::Vector3d> given{{0, 0, 1}, {1, 0, 0}, {0.25, 1, 0}, {1.25, 1, 0}};
+  const PeriodicOptions options = options_of_pairs(
+      {{0, 1}}, std::vector<std::array<double, 3>>{{0, 0, -1}, {1, 0, 0}, {0.25, 1, 0}, {1.25, 1, 0}});
+  EXPECT_EQ(lattice_basis(given, 1e-9).size(), 3U);
+  EXPECT_EQ(options.periods, (std::array<std::array<double, 3>, 3>{{{1, 0, 0}, {0.25, 1, 0}, {0, 0, 1}}}));
+  EXPECT_THROW(options_of_pairs({}, {}), InputError);
+}
+
+}  // namespace
+}  // namespace multimesh::test
