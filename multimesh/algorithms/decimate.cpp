@@ -152,7 +152,8 @@ void Decimator::add_tests() {
 
 void Decimator::add_invariants() {
   if (surface_.cut_report().copied_vertices > 0)
-    invariants_.push_back(std::make_unique<CopiesStayApart>(surface_.source_positions()));
+    invariants_.push_back(
+        std::make_unique<CopiesStayApart>(surface_.tree().mesh(NodeId::root), surface_.source_positions()));
   for (const auto& texcoords : texcoords_) invariants_.push_back(std::make_unique<SeamsStayOpen>(*texcoords));
   invariants_.push_back(std::make_unique<FunctionInvariant>("place of a held end",
                                                             [this](const Event&) { return place_is_held_; }));

@@ -53,7 +53,8 @@ class SurfaceFields {
       operations.add(*colors_);
     }
     if (s.cut_report().copied_vertices > 0)
-      invariants_.push_back(std::make_unique<CopiesStayApart>(s.source_positions()));
+      invariants_.push_back(
+          std::make_unique<CopiesStayApart>(s.tree().mesh(NodeId::root), s.source_positions()));
     for (const auto& i : invariants_) operations.add(*i);
   }
 

@@ -36,7 +36,8 @@ CollapseDriver::CollapseDriver(TexturedSurface& surface, const DecimateOptions& 
     tests_.push_back(std::make_unique<decimation::TextureOrientation>(surface, reader_, k));
   }
   tests_.push_back(std::make_unique<decimation::NormalTurn>(options_.max_normal_turn));
-  invariants_.push_back(std::make_unique<CopiesStayApart>(surface.source_positions()));
+  invariants_.push_back(
+      std::make_unique<CopiesStayApart>(surface.tree().mesh(NodeId::root), surface.source_positions()));
   invariants_.push_back(std::make_unique<FunctionInvariant>(
       "held place", [this](const Event&) { return held_place_allowed_; }));
   for (const auto& i : invariants_) operations_.add(*i);

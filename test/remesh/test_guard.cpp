@@ -6,6 +6,7 @@
 
 #include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/algorithms/remeshing/distance_guard.hpp"
+#include "multimesh/algorithms/remeshing/plane_sides.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
 #include "test/support/trees.hpp"
 
@@ -71,7 +72,8 @@ TEST_F(Pyramid, PlacesAreOnThePatchThatLooksTheSameWay) {
 }
 
 TEST_F(Pyramid, TrianglesMayNotTurnOver) {
-  StarShape in_space(root(), *this, false), in_plane(root(), *this, true);
+  StarShape in_space(root(), *this);
+  PlaneSides in_plane(root(), *this);
   const Dart tip = root().dart_of(0, 0);
   EXPECT_TRUE(in_space.allows(tip, {0.1, 0, 1}));
   EXPECT_FALSE(in_space.allows(tip, {0, 0, -1}));

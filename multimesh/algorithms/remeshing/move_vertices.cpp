@@ -89,7 +89,7 @@ bool Remesher::move(Dart vertex, const Place& to) {
   copies_.collect(tree_, vertex, 0);
   if (!assign(to) || !shape_.allows(vertex, to.position)) return false;
   for (const Write& w : writes_)
-    if (!shapes_below_[w.mesh].allows(w.dart, w.at)) return false;
+    if (!sides_below_[w.mesh].allows(w.dart, w.at)) return false;
   const auto write = [&](const Event&) {
     positions_.set(root_.vertex(vertex), to.position);
     for (const Write& w : writes_) {

@@ -43,9 +43,9 @@ Remesher::Remesher(Propagation& operations, Coordinates& positions, std::span<Co
       strata_(tree_),
       reference_(tree_, positions, below, strata_, patch, line),
       guard_(root_, positions, reference_, nearness * options.length, spacing * options.length),
-      shape_(root_, positions, false) {
+      shape_(root_, positions) {
   strata_.trust(line);
-  for (const Coordinates* c : below) shapes_below_.emplace_back(tree_.mesh(c->node()), *c, true);
+  for (const Coordinates* c : below) sides_below_.emplace_back(tree_.mesh(c->node()), *c);
 }
 
 RemeshResult Remesher::run() {
@@ -88,12 +88,11 @@ std::size_t Remesher::split_long_edges() {
 bool Remesher::halve(Dart edge) {
   root_.star(edge, 1, changing_);
   guard_.take(changing_);
-  const Outcome o = operations_.split(NodeId::root, edge);
-  if (!o) {
+  const Dart v = split(edge);
+  if (v == no_dart) {
     guard_.give_back();
     return false;
   }
-  const Dart v = root_.reorder(o.root, exchange_ends);
   root_.star(v, 0, changing_);
   guard_.hand_on(changing_);
   std::array<Dart, 2> line{};
@@ -102,6 +101,29 @@ bool Remesher::halve(Dart edge) {
   (void)centre(v, normal);
   if (const auto to = place(v, freedom, line, at(v), normal)) move(v, *to);
   return true;
+}
+
+// The middle of a thin triangle's edge may be rounded to its other side. Returns the new vertex.
+Dart Remesher::split(Dart edge) {
+  const std::vector<PlaneSides::Count> before = count_sides(edge, 1);
+  Transaction undone = operations_.transaction();
+  const Outcome o = operations_.split(NodeId::root, edge);
+  if (!o) return no_dart;
+  const Dart v = root_.reorder(o.root, exchange_ends);
+  const std::vector<PlaneSides::Count> after = count_sides(v, 0);
+  for (std::size_t m = 0; m < below_.size(); ++m)
+    if (!PlaneSides::halved(before[m], after[m])) return no_dart;
+  undone.commit();
+  return v;
+}
+
+// Of the triangles around all copies of a simplex in each mesh below.
+std::vector<PlaneSides::Count> Remesher::count_sides(Dart d, int k) {
+  copies_.collect(tree_, d, k);
+  std::vector<PlaneSides::Count> counts(below_.size());
+  for (std::size_t m = 0; m < below_.size(); ++m)
+    for (const Copy& c : copies_.of(below_[m]->node())) sides_below_[m].count(c.dart, k, counts[m]);
+  return counts;
 }
 
 std::size_t Remesher::collapse_short_edges() {
@@ -168,7 +190,7 @@ bool Remesher::collapse(Dart edge) {
       for (const Copy& c : copies_.of(below_[m]->node())) {
         const Mesh& mesh = tree_.mesh(c.node);
         const Index kept = mesh.vertex(mesh.reorder(c.dart, exchange_ends));
-        good = good && shapes_below_[m].allows(c.dart, below_[m]->at(kept), kept);
+        good = good && sides_below_[m].allows(c.dart, below_[m]->at(kept), kept);
       }
     if (!good) continue;
     const std::optional<Merged> line = merged_line(d);
@@ -217,7 +239,7 @@ bool Remesher::swap(Dart edge) {
   copies_.collect(tree_, edge, 1);
   for (std::size_t m = 0; m < below_.size(); ++m)
     for (const Copy& c : copies_.of(below_[m]->node()))
-      if (!shapes_below_[m].allows_swap(c.dart)) return false;
+      if (!sides_below_[m].allows_swap(c.dart)) return false;
   root_.star(edge, 1, changing_);
   return guarded(changing_, 1, [&] { return operations_.swap(NodeId::root, edge); });
 }

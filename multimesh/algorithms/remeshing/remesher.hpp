@@ -8,6 +8,7 @@
 
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/remeshing/distance_guard.hpp"
+#include "multimesh/algorithms/remeshing/plane_sides.hpp"
 #include "multimesh/algorithms/remeshing/reference.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
 #include "multimesh/algorithms/tree_strata.hpp"
@@ -41,6 +42,8 @@ class Remesher {
   void refine();
   std::size_t split_long_edges();
   bool halve(Dart edge);
+  Dart split(Dart edge);
+  std::vector<PlaneSides::Count> count_sides(Dart d, int k);
   std::size_t collapse_short_edges();
   void swap_edges();
   void smooth();
@@ -91,7 +94,7 @@ class Remesher {
   Reference reference_;
   DistanceGuard guard_;
   StarShape shape_;
-  std::vector<StarShape> shapes_below_;
+  std::vector<PlaneSides> sides_below_;
   RemeshResult result_;
 
   struct Write {

@@ -10,6 +10,8 @@ using OpenMesh::Vec3d;
 
 namespace {
 
+using Corners = std::array<Vec3d, 3>;
+
 /// Of the angle by which a normal may turn in one step.
 constexpr double least_cosine = 0.3;
 
@@ -29,7 +31,7 @@ struct Form {
 };
 
 /// `n`: the cross product of two edges.
-Form form(const std::array<Vec3d, 3>& t, const Vec3d& n) {
+Form form(const Corners& t, const Vec3d& n) {
   std::array<double, 3> squared{(t[1] - t[0]).sqrnorm(), (t[2] - t[1]).sqrnorm(), (t[0] - t[2]).sqrnorm()};
   std::sort(squared.begin(), squared.end());
   const double shorter = std::sqrt(squared[0] * squared[1]), area = n.norm();
@@ -40,17 +42,16 @@ Vec3d normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return cross(b - a, c - a);
 }
 
-}  // namespace
-
-bool StarShape::same_side(const Triangle& before, const Triangle& after) const {
+bool same_side(const Corners& before, const Corners& after) {
   const Vec3d n = normal(before[0], before[1], before[2]), m = normal(after[0], after[1], after[2]);
-  if (planar_) return n[2] == 0 || n[2] * m[2] > 0;
   const Form was = form(before, n), is = form(after, m);
   if (was.flatness < with_normal) return true;
   if (is.flatness < std::min(flat, was.flatness) || is.thinness < std::min(thin, leaning * was.thinness))
     return false;
   return (n | m) > least_cosine * n.norm() * m.norm();
 }
+
+}  // namespace
 
 bool StarShape::allows(Dart vertex, const Vec3d& to, Index without) {
   mesh_.star(vertex, 0, star_);
@@ -71,9 +72,9 @@ bool StarShape::allows_swap(Dart edge) {
   mesh_.vertices(star_[0], v.data());
   mesh_.vertices(star_[1], w.data());
   const Vec3d a = at_.at(v[0]), b = at_.at(v[1]), l = at_.at(v[2]), r = at_.at(w[2]);
-  const Triangle left{a, b, l}, right{b, a, r}, low{a, r, l}, high{r, b, l};
-  for (const Triangle& before : {left, right})
-    for (const Triangle& after : {low, high})
+  const Corners left{a, b, l}, right{b, a, r}, low{a, r, l}, high{r, b, l};
+  for (const Corners& before : {left, right})
+    for (const Corners& after : {low, high})
       if (!same_side(before, after)) return false;
   return same_side(left, right);
 }

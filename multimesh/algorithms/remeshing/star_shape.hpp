@@ -10,25 +10,20 @@
 
 namespace multimesh::remeshing {
 
-/// Judges triangles of one mesh before they are changed.
+/// Judges triangles of one mesh in space before they are changed.
 class StarShape {
  public:
-  /// \param planar in the plane no triangle may change its side, in space none may turn by much
-  StarShape(const Mesh& mesh, const Coordinates& at, bool planar) : mesh_(mesh), at_(at), planar_(planar) {}
+  StarShape(const Mesh& mesh, const Coordinates& at) : mesh_(mesh), at_(at) {}
 
   /// Whether the triangles around a vertex keep their side if it goes to `to`; those with `without` are left
-  /// out.
+  /// out. None may turn by much, or get flat.
   bool allows(Dart vertex, const OpenMesh::Vec3d& to, Index without = no_index);
   /// Whether (a,b,l), (b,a,r) may become (a,r,l), (r,b,l).
   bool allows_swap(Dart edge);
 
  private:
-  using Triangle = std::array<OpenMesh::Vec3d, 3>;
-  bool same_side(const Triangle& before, const Triangle& after) const;
-
   const Mesh& mesh_;
   const Coordinates& at_;
-  bool planar_;
   DartBuffer star_;
 };
 

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/remeshing/plane_sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "multimesh/orient2d.hpp"
+
+namespace multimesh::remeshing {
+
+using OpenMesh::Vec3d;
+
+namespace {
+
+/// Twice an area that is as good as none, relative to the squared diagonal of the bounding box.
+constexpr double relative_tiny = 1e-11;
+
+int side(const std::array<Vec3d, 3>& t) {
+  return orient2d(t[0].data(), t[1].data(), t[2].data());
+}
+
+double doubled_area(const std::array<Vec3d, 3>& t) {
+  const Vec3d u = t[1] - t[0], v = t[2] - t[0];
+  return std::abs(u[0] * v[1] - u[1] * v[0]);
+}
+
+}  // namespace
+
+PlaneSides::PlaneSides(const Mesh& mesh, const Coordinates& at) : mesh_(mesh), at_(at) {
+  Vec3d low(HUGE_VAL, HUGE_VAL, 0), high(-HUGE_VAL, -HUGE_VAL, 0);
+  for (Index v = 0; v < mesh.capacity(0); ++v)
+    if (mesh.is_live(0, v)) low.minimize(at.at(v)), high.maximize(at.at(v));
+  if (low[0] <= high[0]) tiny_ = relative_tiny * (high - low).sqrnorm();
+}
+
+// In the orientation of the mesh, whatever that of the dart.
+PlaneSides::Triangle PlaneSides::triangle(Dart d) const {
+  std::array<Index, 4> v{};
+  mesh_.vertices(mesh_.dart_of(2, mesh_.facet(d)), v.data());
+  return {at_.at(v[0]), at_.at(v[1]), at_.at(v[2])};
+}
+
+bool PlaneSides::keeps_side(const Triangle& before, const Triangle& after, int none) const {
+  const int had = side(before), has = side(after);
+  if (had == 0 ? has != 0 && has != none : has != had) return false;
+  return doubled_area(before) <= tiny_ || doubled_area(after) > tiny_;
+}
+
+int PlaneSides::common_side() const {
+  int common = 0;
+  for (const Dart t : star_) {
+    const int s = side(triangle(t));
+    if (s != 0 && s == -common) return 0;
+    if (s != 0) common = s;
+  }
+  return common;
+}
+
+bool PlaneSides::allows(Dart vertex, const Vec3d& to, Index without) {
+  mesh_.star(vertex, 0, star_);
+  const int common = common_side();
+  return std::all_of(star_.begin(), star_.end(), [&](Dart t) {
+    std::array<Index, 4> v{};
+    mesh_.vertices(t, v.data());
+    if (v[1] == without || v[2] == without) return true;
+    const Vec3d x = at_.at(v[1]), y = at_.at(v[2]);
+    return keeps_side({at_.at(v[0]), x, y}, {to, x, y}, common);
+  });
+}
+
+bool PlaneSides::allows_swap(Dart edge) {
+  mesh_.star(edge, 1, star_);
+  if (star_.size() != 2) return false;
+  std::array<Index, 4> v{}, w{};
+  mesh_.vertices(star_[0], v.data());
+  mesh_.vertices(star_[1], w.data());
+  const Vec3d a = at_.at(v[0]), b = at_.at(v[1]), l = at_.at(v[2]), r = at_.at(w[2]);
+  const Triangle left{a, b, l}, right{b, a, r}, low{a, r, l}, high{r, b, l};
+  const int sum = side(left) + side(right);
+  if (sum == 0) return false;
+  const int common = sum > 0 ? 1 : -1;
+  for (const Triangle& before : {left, right})
+    for (const Triangle& after : {low, high})
+      if (!keeps_side(before, after, common)) return false;
+  return true;
+}
+
+void PlaneSides::count(Dart d, int k, Count& sum) {
+  mesh_.star(d, k, star_);
+  for (const Dart t : star_) {
+    const Triangle corners = triangle(t);
+    const int s = side(corners);
+    sum.left += s > 0, sum.right += s < 0, sum.none += s == 0;
+    sum.tiny += doubled_area(corners) <= tiny_;
+  }
+}
+
+bool PlaneSides::halved(const Count& before, const Count& after) {
+  const bool none_may_be_left = before.right == 0 && before.left > 0;
+  const bool none_may_be_right = before.left == 0 && before.right > 0;
+  return after.left >= 2 * before.left && (after.left == 2 * before.left || none_may_be_left) &&
+         after.right >= 2 * before.right && (after.right == 2 * before.right || none_may_be_right) &&
+         after.tiny <= 2 * before.tiny;
+}
+
+}  // namespace multimesh::remeshing

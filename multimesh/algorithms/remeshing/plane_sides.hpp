@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <OpenMesh/Core/Geometry/VectorT.hh>
+
+#include "multimesh/algorithms/coordinates.hpp"
+#include "multimesh/dart.hpp"
+
+namespace multimesh::remeshing {
+
+/// Judges triangles of a mesh in the plane. None may change its side, by the exact sign, or lose its area;
+/// one without area may only get some on the side of all others around.
+class PlaneSides {
+ public:
+  /// Cost: linear.
+  PlaneSides(const Mesh& mesh, const Coordinates& at);
+
+  /// As StarShape has them.
+  bool allows(Dart vertex, const OpenMesh::Vec3d& to, Index without = no_index);
+  bool allows_swap(Dart edge);
+
+  /// Triangles by their side: of those around edges before a split, of those around the new vertices after
+  /// it.
+  struct Count {
+    std::size_t left = 0, right = 0, none = 0, tiny = 0;
+  };
+  /// Adds those around the k-simplex of d.
+  void count(Dart d, int k, Count& sum);
+  /// Whether none flipped or lost its area when each was halved.
+  static bool halved(const Count& before, const Count& after);
+
+ private:
+  using Triangle = std::array<OpenMesh::Vec3d, 3>;
+  Triangle triangle(Dart d) const;
+  /// \param none the side that a triangle without area may get
+  bool keeps_side(const Triangle& before, const Triangle& after, int none) const;
+  /// Of the triangles in star_: 0 if they lie on both.
+  int common_side() const;
+
+  const Mesh& mesh_;
+  const Coordinates& at_;
+  double tiny_ = 0;
+  DartBuffer star_;
+};
+
+}  // namespace multimesh::remeshing
