@@ -8,9 +8,6 @@
 namespace multimesh::test {
 namespace {
 
-
-
-
 //   A grid of 6 x 6; vertex (i,j) has the index 7 i + j. A curve along j = 3 from i = 1 to 5.
 class OnAGrid : public testing::Test {
  protected:
