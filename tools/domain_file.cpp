@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "adapters/io/group_tags.hpp"
 #include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/simplex_writer.hpp"
+#include "adapters/io/used_points.hpp"
 #include "multimesh/error.hpp"
 
 namespace multimesh::tools {
@@ -23,7 +25,29 @@ bool is_surface_format(const std::filesystem::path& path) {
 DomainFile read_domain_file(const std::filesystem::path& path) {
   DomainFile file{path, io::read_simplices(path), {}};
   file.warnings = std::move(file.soup.warnings);
+  if (file.soup.notes.unused_points != 0) io::remove_unused_points(file.soup);
   return file;
+}
+
+std::vector<std::int32_t> tags_of_groups(const DomainFile& file, int dimension,
+                                         const std::vector<std::int32_t>& groups, const std::string& option) {
+  const auto& tags = file.soup.simplices[static_cast<std::size_t>(dimension)].tags;
+  const std::set<std::int32_t> present(tags.begin(), tags.end());
+  std::set<std::int32_t> known;
+  for (const std::int32_t tag : present)
+    for (const std::int32_t group : io::groups_of(file.soup, dimension, tag)) known.insert(group);
+  std::vector<std::int32_t> found;
+  for (const std::int32_t group : groups) {
+    if (!known.contains(group)) {
+      std::string list;
+      for (const std::int32_t k : known) list += (list.empty() ? "" : ", ") + std::to_string(k);
+      throw InputError(option + " " + std::to_string(group) + ": " + file.path.string() +
+                       " has no such tag; it has " + list);
+    }
+    for (const std::int32_t tag : io::tags_with(file.soup, dimension, group))
+      if (present.contains(tag)) found.push_back(tag);
+  }
+  return found;
 }
 
 TaggedTetrahedra take_tetrahedra(DomainFile& file) {

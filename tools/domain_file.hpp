@@ -22,8 +22,13 @@ struct DomainFile {
 /// Whether the extension is that of a format that holds surfaces only, perhaps with texture coordinates.
 bool is_surface_format(const std::filesystem::path& path);
 
-/// \throw InputError as io::read_simplices does
+/// Points that no simplex names are left out, with a warning. \throw InputError as io::read_simplices does
 DomainFile read_domain_file(const std::filesystem::path& path);
+
+/// The tags of the simplices that are in these groups. \throw InputError naming `option`, the group, and the
+/// groups there are, if there is none
+std::vector<std::int32_t> tags_of_groups(const DomainFile& file, int dimension,
+                                         const std::vector<std::int32_t>& groups, const std::string& option);
 
 /// The tetrahedra and all that is listed inside them; points that are listed are fixed. The lists of the soup
 /// are moved. \throw InputError if it has no tetrahedron

@@ -9,8 +9,9 @@
 #ifdef MULTIMESH_WITH_IMPROVE
 #include "adapters/io/atomic_file.hpp"
 #include "multimesh/algorithms/improve.hpp"
-#include "tools/domain_file.hpp"
+#include "tools/domain_input.hpp"
 #include "tools/joined_check.hpp"
+#include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/surface_json.hpp"
 #endif
@@ -25,6 +26,7 @@ struct ImproveArguments {
   std::string input, output, json, splits = "rounded";
   double feature_angle = 0;
   ImproveOptions options;
+  DomainInputOptions taken;
   bool ascii = false, msh_2 = false;
 };
 
@@ -106,7 +108,8 @@ std::vector<std::string> reasons(const ImproveArguments& a, const ImproveResult&
 void run(ImproveArguments a) {
   check_output_path(a.output, {a.input});
   if (!a.json.empty()) check_output_path(a.json, {a.input, a.output});
-  DomainFile file = read_domain_file(a.input);
+  DomainFile file = read_domain_input(a.input, a.taken, false);
+  a.options.locked_regions = tags_of_groups(file, 3, a.options.locked_regions, "--lock-region");
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
   for (int i = 0; i < 3; ++i)
@@ -159,9 +162,9 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--edge-length", a->options.edge_length,
                    "edges far longer are split, far shorter collapsed")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command->add_option("--min-edge-length", a->options.min_edge_length, "no edge is split into shorter ones")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command
       ->add_option("--surface-splits", a->splits,
                    "edges of the surface may be split: not at all, exactly, or up to rounding")
@@ -173,6 +176,8 @@ void add_improve_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1e-6, 180.0));
   command->add_option("--lock-region", a->options.locked_regions,
                       "regions that are not touched, by their tags");
+  add_weld_options(*command, a->taken);
+  add_periodic_option(*command, a->taken);
   command->add_flag("--ascii", a->ascii, "text instead of binary, where the format has both");
   command->add_flag("--msh2", a->msh_2, "MSH 2.2 instead of 4.1");
   command->add_option("--json", a->json, "write a report");

@@ -110,6 +110,9 @@ Json describe(DomainFile& file) {
       {"points", file.soup.points.size()},           {"vertices", file.soup.simplices[0].size()},
       {"edges", file.soup.simplices[1].size()},      {"triangles", file.soup.simplices[2].size()},
       {"tetrahedra", file.soup.simplices[3].size()}, {"groups", groups}};
+  for (const auto& set : file.soup.tag_sets)
+    j["contents"]["tags_of_several_groups"].push_back(
+        {{"dimension", set.dimension}, {"tag", set.tag}, {"groups", set.groups}});
   const TetDomain domain(take_tetrahedra(file));
   j["meshes"] = to_json(report(domain));
   j["warnings"] = file.warnings;
@@ -123,6 +126,10 @@ void print_domain_file(const Json& j) {
             << " points; listed: " << c["tetrahedra"] << " tetrahedra, " << c["triangles"] << " triangles, "
             << c["edges"] << " edges, " << c["vertices"] << " vertices, " << c["groups"].size()
             << " named groups\n";
+  if (c.contains("tags_of_several_groups"))
+    for (const auto& set : c["tags_of_several_groups"])
+      std::cout << "              tag " << set["tag"] << " of dimension " << set["dimension"]
+                << " stands for the groups " << set["groups"].dump() << '\n';
   print_domain(j["meshes"]);
   for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
 }

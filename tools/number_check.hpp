@@ -16,4 +16,8 @@ inline CLI::Validator number(bool (*holds)(double), const std::string& must_be, 
   return CLI::Validator(check, type);
 }
 
+inline CLI::Validator positive_number() {
+  return number([](double x) { return x > 0; }, "above 0", "NUMBER");
+}
+
 }  // namespace multimesh::tools

@@ -8,14 +8,15 @@
 
 namespace multimesh::tools {
 
-void check_output_path(const std::filesystem::path& output, const std::vector<std::filesystem::path>& others) {
+void check_output_path(const std::filesystem::path& output,
+                       const std::vector<std::filesystem::path>& others) {
   (void)io::checked_output_path(output);
   std::error_code error;  // of a path that does not exist: it is no other file then
   const auto path = std::filesystem::weakly_canonical(output, error);
   for (const auto& other : others)
     if (path == std::filesystem::weakly_canonical(other, error))
-      throw InputError(output.string() + ": the report would replace the mesh " + other.string() +
-                       "; choose another name");
+      throw InputError(output.string() + ": would replace " + other.string() +
+                       ", which this run reads or writes, too; choose another name");
 }
 
 void check_obj_output(const std::filesystem::path& output) {

@@ -7,9 +7,10 @@
 #include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
-#include "tools/domain_file.hpp"
+#include "tools/domain_input.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/joined_check.hpp"
+#include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
 #ifdef MULTIMESH_WITH_TETGEN
 #include "tools/fill_surface.hpp"
@@ -27,6 +28,7 @@ struct TetrahedralizeArguments {
   double minutes = 10, weld = 0;
   std::string keep = "winding";
   std::vector<std::string> regions, holes;
+  DomainInputOptions taken;
   bool split_surface = false, ascii = false, msh_2 = false, json = false;
 };
 
@@ -62,7 +64,7 @@ void add_names(const std::vector<io::SimplexSoup::Group>& groups, Json& j) {
 
 void run(const TetrahedralizeArguments& a) {
   check_output_path(a.output, {a.input});
-  DomainFile file = read_domain_file(a.input);
+  DomainFile file = read_domain_input(a.input, a.taken, !a.split_surface);
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
   const FilledSurface filled = fill_surface(file, tetgen_options(a, file), a.weld);
@@ -126,14 +128,14 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
                    "edges at which the surface turns by at least this become curves; degrees in (0, 180)")
       ->check(CLI::Range(1e-6, 180.0));
   auto* length = command->add_option("--edge-length", a->length, "bound of the edges, as a volume; a length")
-                     ->check(CLI::PositiveNumber);
+                     ->check(positive_number());
   command
       ->add_option("--relative-edge-length", a->relative_length,
                    "the same, relative to the bounding box's diagonal")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->excludes(length);
   command->add_option("--max-volume", a->max_volume, "bound of each tetrahedron's volume")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command->add_option("--radius-edge-ratio", a->ratio, "quality: circumradius by shortest edge, 2 is usual")
       ->check(CLI::Range(1.1, 1e6));
   command
@@ -149,9 +151,8 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_flag("--split-surface", a->split_surface, "new points may be put on the surface");
-  command->add_option("--time-limit", a->minutes, "minutes")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  command->add_option("--time-limit", a->minutes, "minutes")->check(positive_number())->capture_default_str();
+  add_periodic_option(*command, a->taken);
   command->add_flag("--ascii", a->ascii, "text instead of binary, where the format has both");
   command->add_flag("--msh2", a->msh_2, "MSH 2.2 instead of 4.1");
   command->add_flag("--json", a->json, "print a report as JSON");

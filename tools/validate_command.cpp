@@ -7,6 +7,7 @@
 #include "multimesh/validate.hpp"
 #include "tools/command.hpp"
 #include "tools/domain_file.hpp"
+#include "tools/domain_input.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/surface_file.hpp"
 
@@ -59,17 +60,22 @@ Findings examine(const TexturedTriangles& input, std::vector<std::string> warnin
 
 Findings examine(DomainFile& file) {
   Findings f{std::move(file.warnings), {}};
+  f.add(file.soup.notes.doubled, "elements are listed again with the same points and tag");
+  f.add(count_coincident(file.soup), "points are at the place of another one, which --weld 0 joins");
   const TaggedTetrahedra tets = take_tetrahedra(file);
   f.add(hanging_points(tets).size(),
         "points lie in the middle of an edge or a face of the boundary: the mesh does not conform there");
   f.add(topology_of(tets).crowded_faces, "faces have three or more tetrahedra");
   const TetDomain domain(tets);
   const TetDomainReport& r = domain.report();
-  f.add(r.copied_vertices, "copies of points are needed to make it manifold");
+  if (r.copied_vertices > 0)
+    f.facts.push_back("the mesh touches itself; the commands make " + std::to_string(r.copied_vertices) +
+                      " copies of points there, which are one again in what they write");
   f.add(r.reversed_tets, "tetrahedra are oriented against the others, or have negative volume");
   f.add(r.inverted_tets, "tetrahedra have no or negative volume when oriented like the others");
   f.add(r.missing_triangles, "listed triangles are no face of a tetrahedron");
   f.add(r.missing_edges, "listed edges are no edge of a tetrahedron");
+  f.add(r.missing_points, "listed points are no vertex of a tetrahedron");
   f.add_tree(domain.tree());
   return f;
 }

@@ -61,21 +61,6 @@ std::vector<std::int32_t> distinct_tags(const SimplexSoup::Block& block,
   return tags;
 }
 
-void keep_only(SimplexSoup::Block& block, std::size_t each, const std::vector<bool>& removed) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < removed.size(); ++i) {
-    if (removed[i]) continue;
-    std::copy_n(block.corners.begin() + static_cast<std::ptrdiff_t>(each * i), each,
-                block.corners.begin() + static_cast<std::ptrdiff_t>(each * kept));
-    block.tags[kept] = block.tags[i];
-    if (!block.flags.empty()) block.flags[kept] = block.flags[i];
-    ++kept;
-  }
-  block.corners.resize(each * kept);
-  block.tags.resize(kept);
-  if (!block.flags.empty()) block.flags.resize(kept);
-}
-
 /// Tags by the simplex, of those that are in several groups.
 using SeveralTags = std::map<std::uint32_t, std::vector<std::int32_t>>;
 
@@ -95,6 +80,27 @@ void add_tag_sets(SimplexSoup& soup, std::size_t k, const SeveralTags& several) 
 
 }  // namespace
 
+bool names_a_point_twice(std::span<const std::uint32_t> corners) {
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    if (std::ranges::find(corners.first(i), corners[i]) != corners.first(i).end()) return true;
+  return false;
+}
+
+void remove_simplices(SimplexSoup::Block& block, const std::vector<bool>& removed) {
+  const std::size_t each = block.size() == 0 ? 1 : block.corners.size() / block.size();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    if (removed[i]) continue;
+    for (std::size_t c = 0; c < each; ++c) block.corners[each * kept + c] = block.corners[each * i + c];
+    block.tags[kept] = block.tags[i];
+    if (!block.flags.empty()) block.flags[kept] = block.flags[i];
+    ++kept;
+  }
+  block.corners.resize(each * kept);
+  block.tags.resize(kept);
+  if (!block.flags.empty()) block.flags.resize(kept);
+}
+
 void unite_repeated_simplices(SimplexSoup& soup) {
   for (std::size_t k = 0; k < 4; ++k) {
     SimplexSoup::Block& block = soup.simplices[k];
@@ -112,7 +118,7 @@ void unite_repeated_simplices(SimplexSoup& soup) {
       if (tags.size() > 1) several.emplace(all[0], std::move(tags));
     });
     if (!several.empty()) add_tag_sets(soup, k, several);
-    if (std::ranges::find(removed, true) != removed.end()) keep_only(block, k + 1, removed);
+    if (std::ranges::find(removed, true) != removed.end()) remove_simplices(block, removed);
   }
 }
 

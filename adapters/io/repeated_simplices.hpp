@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "adapters/io/simplex_soup.hpp"
 
 namespace multimesh::io {
+
+bool names_a_point_twice(std::span<const std::uint32_t> corners);
+/// \pre one entry per simplex
+void remove_simplices(SimplexSoup::Block& block, const std::vector<bool>& removed);
 
 /// Makes one simplex of those that have the same points, in any order: Gmsh 2.2 lists an element once for
 /// each group that it is in. The first one stays, with the flags of all; if they have several tags, with the

@@ -12,15 +12,6 @@
 #include "adapters/io/triangulate.hpp"
 
 namespace multimesh::io {
-namespace {
-
-bool has_repeated(std::span<const std::uint32_t> corners) {
-  for (std::size_t i = 1; i < corners.size(); ++i)
-    if (std::ranges::find(corners.first(i), corners[i]) != corners.first(i).end()) return true;
-  return false;
-}
-
-}  // namespace
 
 void SimplexBuilder::add_point(const std::array<double, 3>& point, std::uint64_t where) {
   if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
@@ -158,20 +149,11 @@ void SimplexBuilder::remove_repeated(int dimension, const ReadOptions& options) 
   const auto k = static_cast<std::size_t>(dimension);
   SimplexSoup::Block& block = soup_.simplices[k];
   const std::size_t total = block.size(), each = k + 1;
-  std::size_t kept = 0, first = total;
-  for (std::size_t i = 0; i < total; ++i) {
-    const auto corners = std::span(block.corners).subspan(each * i, each);
-    if (has_repeated(corners)) {
-      first = std::min(first, i);
-      continue;
-    }
-    if (kept != i) {
-      std::ranges::copy(corners, block.corners.begin() + static_cast<std::ptrdiff_t>(each * kept));
-      block.tags[kept] = block.tags[i];
-      if (!block.flags.empty()) block.flags[kept] = block.flags[i];
-    }
-    ++kept;
-  }
+  std::vector<bool> removed(total);
+  for (std::size_t i = 0; i < total; ++i)
+    removed[i] = names_a_point_twice(std::span(block.corners).subspan(each * i, each));
+  const auto first = static_cast<std::size_t>(std::ranges::find(removed, true) - removed.begin());
+  const std::size_t kept = static_cast<std::size_t>(std::ranges::count(removed, false));
   if (kept == total) return;
   const std::string count = std::to_string(total - kept) + " of " + std::to_string(total) + " " +
                             simplex_plurals[k] + " in the file";
@@ -180,9 +162,7 @@ void SimplexBuilder::remove_repeated(int dimension, const ReadOptions& options) 
     fail(simplex_where_[k][first], message + " (" + count + "); remove such elements");
   soup_.warnings.push_back(place(simplex_where_[k][first]) + ": " + message + " and is left out; " + count);
   soup_.notes.repeated_vertex += total - kept;
-  block.corners.resize(each * kept);
-  block.tags.resize(kept);
-  if (!block.flags.empty()) block.flags.resize(kept);
+  remove_simplices(block, removed);
 }
 
 void SimplexBuilder::count_unused() {
@@ -200,7 +180,8 @@ void SimplexBuilder::add_warnings() {
   say(n.high_order, " elements are of higher order; their corners are kept, and no other of their points");
   say(n.cut_polygons, " polygons of four or more corners are cut into triangles");
   say(n.doubled, " elements are listed again with the same points and tag; they are left out");
-  say(n.unused_points, " points belong to no element");
+  // Those of elements of higher order are told above.
+  if (n.high_order == 0) say(n.unused_points, " points belong to no element; they are not used");
   if (left_out_.empty()) return;
   std::string list;
   for (const auto& [name, count] : left_out_) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/io/tetgen_files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -122,6 +123,44 @@ void read_elements(WordSource& words, SimplexBuilder& builder) {
   builder.soup().simplices[3].tags.assign(count, 0);
 }
 
+/// Numbers in the rest of a line, up to a comment: a marker may be among them, and neighbours after it.
+std::vector<std::int32_t> rest_of_entry(WordSource& words) {
+  std::string_view line = words.line_ahead();
+  const std::size_t end = std::min(line.find('#'), line.size());
+  WordSource rest(line.substr(0, end), words.file(), 0, words.line());
+  std::vector<std::int32_t> numbers;
+  while (!rest.peek().empty()) numbers.push_back(rest.integer32("a number of an entry"));
+  words.rest_of_line();
+  return numbers;
+}
+
+/// Triangles or edges, with a boundary marker each, which is their tag. TetGen can be asked to list all faces
+/// or edges of the mesh, with marker 0 inside; in so long a list, those are left out.
+void read_markers(const fs::path& path, int dimension, SimplexBuilder& builder) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return;
+  const UnpackedBytes bytes(path);
+  WordSource words(bytes.view(), path.string(), '#');
+  const auto [count, has_markers] = header<2>(words);
+  const auto corners = static_cast<std::size_t>(dimension) + 1;
+  words.check_count(count, "entries", 2 * (1 + corners));
+  // All faces are more than two for each tetrahedron, all edges more than one.
+  const bool lists_all = count > static_cast<std::size_t>(dimension) * builder.soup().simplices[3].size();
+  for (std::size_t i = 0; i < count; ++i) {
+    words.integer("the number of an entry");
+    std::array<std::uint32_t, 3> nodes{};
+    for (std::size_t n = 0; n < corners; ++n)
+      nodes[n] = builder.point_index(words.integer("a node of an entry"), words.line());
+    const std::uint64_t line = words.line();
+    std::vector<std::int32_t> rest = rest_of_entry(words);
+    const std::size_t middle = builder.notes().high_order == 0 ? 0 : corners == 2 ? 1 : 3;
+    if (rest.size() > middle && has_markers != 0 && middle != 0)
+      rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(middle));
+    const std::int32_t marker = has_markers == 0 || rest.empty() ? 0 : rest.front();
+    if (marker != 0 || !lists_all) builder.add(dimension, std::span(nodes).first(corners), marker, line);
+  }
+}
+
 }  // namespace
 
 SimplexSoup read_tetgen_pair(const fs::path& path, const ReadOptions& options) {
@@ -138,6 +177,8 @@ SimplexSoup read_tetgen_pair(const fs::path& path, const ReadOptions& options) {
     for (const Node& node : nodes.nodes) builder.soup().point_tags.push_back(node.marker);
   WordSource words(bytes.view(), elements.string(), '#');
   read_elements(words, builder);
+  read_markers(sibling(path, ".face"), 2, builder);
+  read_markers(sibling(path, ".edge"), 1, builder);
   return builder.finish(options);
 }
 

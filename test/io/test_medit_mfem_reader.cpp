@@ -121,6 +121,32 @@ TEST_F(TetGenFiles, TenNodesAndFractionsForTags) {
   EXPECT_EQ(soup.notes.high_order, 1U);
 }
 
+// Two tetrahedra: of the boundary two faces are listed, one with a neighbour behind its marker.
+TEST_F(TetGenFiles, FacesAndEdgesHaveTheirMarkersAsTags) {
+  node("5 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n");
+  ele("2 4 0\n1 1 2 3 4\n2 2 3 4 5\n");
+  file("a.face", "# faces\n1 1\n1 1 2 3 -1 7 # -1\n");
+  file("a.edge", "1 1\n1 1 2 9\n");
+  const SimplexSoup some = read_simplices(directory / "a.ele");
+  EXPECT_EQ(some.simplices[2].corners, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(some.simplices[2].tags, std::vector<std::int32_t>{-1});
+  EXPECT_EQ(some.simplices[1].corners, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(some.simplices[1].tags, std::vector<std::int32_t>{9});
+}
+
+TEST_F(TetGenFiles, OfAListOfAllFacesThoseWithMarkersAreKept) {
+  node("5 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n");
+  ele("2 4 0\n1 1 2 3 4\n2 2 3 4 5\n");
+  file("a.face", "7 1\n1 1 2 3 5\n2 1 2 4 5\n3 1 3 4 6\n4 2 3 4 0\n5 2 3 5 6\n6 2 4 5 6\n7 3 4 5 6\n");
+  EXPECT_EQ(read_simplices(directory / "a.ele").simplices[2].tags,
+            (std::vector<std::int32_t>{5, 5, 6, 6, 6, 6}));
+  file("a.face", "1 0\n1 2 3 4\n");
+  EXPECT_EQ(read_simplices(directory / "a.ele").simplices[2].tags, std::vector<std::int32_t>{0})
+      << "listed, though without a marker";
+  file("a.face", "1 1\n1 2 3 9 1\n");
+  EXPECT_NE(refusal().find("names point 9"), std::string::npos);
+}
+
 TEST_F(TetGenFiles, Errors) {
   node("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
   EXPECT_NE(refusal().find("a.ele: the file does not exist"), std::string::npos);

@@ -73,7 +73,7 @@ TEST_F(RemeshCommand, RefusesWrongUse) {
   expect(2, "(0, 180]", spot(), {"--length", "1", "--feature-angle", "200"});
   expect(1, ".obj", spot(), {"--length", "1"}, "out.ply");
   expect(1, "missing.obj", "missing.obj", {"--length", "1"});
-  expect(1, "report would replace", spot(), {"--length", "1", "--report", "out.obj"});
+  expect(1, "would replace", spot(), {"--length", "1", "--report", "out.obj"});
 }
 
 }  // namespace
