@@ -162,6 +162,7 @@ Choice choose(const Filling& filling, const Facets& facets, const Tetrahedralize
 std::vector<bool> without_region(const std::vector<Sides>& sides, const std::vector<bool>& kept) {
   const auto is_kept = [&](Index r) { return r != no_index && kept[r]; };
   std::vector<bool> without;
+  without.reserve(sides.size());
   for (const Sides& s : sides) without.push_back(!is_kept(s.behind) && !is_kept(s.before));
   return without;
 }

@@ -29,7 +29,8 @@ struct Facets {
 
   Index size() const { return static_cast<Index>(begin.size()) - 1; }
   std::array<Index, 3> facet(Index f) const {
-    return {corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]};
+    const std::size_t first = 3 * std::size_t{f};
+    return {corners[first], corners[first + 1], corners[first + 2]};
   }
   std::span<const FacetSource> sources_of(Index f) const {
     return std::span(sources).subspan(begin[f], begin[f + 1] - begin[f]);
