@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "adapters/io/weld.hpp"
 #include "adapters/tetgen/missed_bounds.hpp"
@@ -45,6 +47,27 @@ void add_groups(int dimension, const std::vector<tetgen::Naming::Tag>& tags,
   }
 }
 
+/// Patches whose triangles are in several groups of the file stay in them, under whatever tag they have now.
+void keep_groups(const io::SimplexSoup& soup, const tetgen::Tetrahedralization& filled, FilledSurface& out) {
+  std::map<TaggedTetrahedra::Tag, TaggedTetrahedra::Tag> before;  // by the tag that a face has now
+  for (std::size_t f = 0; f < filled.faces.size(); ++f)
+    before.emplace(out.tets.patches[f], soup.simplices[2].tags[filled.faces[f].triangle]);
+  std::set<std::int32_t> used;
+  for (const io::SimplexSoup::TagSet& set : soup.tag_sets) {
+    if (set.dimension != 2) out.groups.tag_sets.push_back(set);
+    for (const auto& [now, tag] : before) {
+      if (set.dimension != 2 || tag != set.tag) continue;
+      std::vector<std::int32_t> groups = set.groups;
+      if (now != tag) groups.push_back(now);  // which has a name of its own
+      std::ranges::sort(groups);
+      used.insert(groups.begin(), groups.end());
+      out.groups.tag_sets.push_back({2, now, groups});
+    }
+  }
+  for (const auto& g : soup.groups)
+    if (g.dimension == 2 && used.contains(g.tag)) add_groups(2, {{g.tag, g.name}}, out.groups.groups);
+}
+
 FilledSurface with_names(tetgen::Tetrahedralization filled, DomainFile& file) {
   const tetgen::Naming naming = tetgen::name_parts(filled, triangle_names(file));
   file.warnings.insert(file.warnings.end(), naming.warnings.begin(), naming.warnings.end());
@@ -62,9 +85,10 @@ FilledSurface with_names(tetgen::Tetrahedralization filled, DomainFile& file) {
   t.points = std::move(filled.points);
   t.tets = std::move(filled.tets);
   for (const auto& g : file.soup.groups)
-    if (g.dimension < 2) out.groups.push_back(g);
-  add_groups(2, naming.patches, out.groups);
-  add_groups(3, naming.regions, out.groups);
+    if (g.dimension < 2) out.groups.groups.push_back(g);
+  add_groups(2, naming.patches, out.groups.groups);
+  add_groups(3, naming.regions, out.groups.groups);
+  keep_groups(file.soup, filled, out);
   return out;
 }
 

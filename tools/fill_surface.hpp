@@ -13,7 +13,7 @@ namespace multimesh::tools {
 /// Tetrahedra of a surface, as they are to be written.
 struct FilledSurface {
   TaggedTetrahedra tets;
-  std::vector<io::SimplexSoup::Group> groups;  ///< names of regions and patches, and the file's of curves
+  DomainGroups groups;  ///< of regions and patches, and the file's of curves and points
 };
 
 /// Fills what the triangles of a file enclose; points within the tolerance, a length, are one. Warnings are

@@ -71,11 +71,10 @@ void run(const TetrahedralizeArguments& a) {
   const TetDomain domain(filled.tets, options);
   for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
   write_if_same_mesh(a.output, topology_of(filled.tets), domain, [&](const std::filesystem::path& path) {
-    write_domain(path, domain, {filled.groups, file.soup.tag_sets}, {a.ascii, a.msh_2, {true, true, true}},
-                 file.warnings);
+    write_domain(path, domain, filled.groups, {a.ascii, a.msh_2, {true, true, true}}, file.warnings);
   });
   Json j = to_json(report(domain));
-  add_names(filled.groups, j);
+  add_names(filled.groups.groups, j);
   if (a.json) {
     j["warnings"] = file.warnings;
     std::cout << to_text(j);

@@ -328,6 +328,39 @@ TEST_F(TetFiles, ValidateNamesDoubledElements) {
 
 #ifdef MULTIMESH_WITH_TETGEN
 
+/// A closed surface two sides of which are in two groups, which share them.
+TEST_F(TetFiles, TetrahedralizeKeepsTrianglesInAllTheirGroups) {
+  const SimplexSoup cube = kuhn_cube(2);
+  std::map<std::vector<std::uint32_t>, int> count;
+  for (std::size_t t = 0; t < cube.simplices[3].size(); ++t)
+    for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+      std::vector<std::uint32_t> face;
+      for (std::size_t c = 0; c < 4; ++c)
+        if (c != left_out) face.push_back(cube.simplices[3].corners[4 * t + c]);
+      std::ranges::sort(face);
+      ++count[face];
+    }
+  SimplexSoup surface;
+  surface.points = cube.points;
+  for (const auto& [face, n] : count) {
+    if (n != 1) continue;
+    surface.simplices[2].corners.insert(surface.simplices[2].corners.end(), face.begin(), face.end());
+    const bool on_low_x = std::ranges::all_of(face, [&](auto v) { return cube.points[v][0] == 0; });
+    const bool on_low_z = std::ranges::all_of(face, [&](auto v) { return cube.points[v][2] == 0; });
+    surface.simplices[2].tags.push_back(on_low_x ? 12 : on_low_z ? 13 : 5);
+  }
+  surface.groups = {{2, 5, "wall"}, {2, 7, "inlet"}, {2, 8, "cold"}};
+  surface.tag_sets = {{2, 12, {5, 7}}, {2, 13, {5, 8}}};
+  for (const auto version : {io::MshVersion::v2_2, io::MshVersion::v4_1}) {
+    io::write_simplices(directory / "in.msh", surface, {.msh_version = version});
+    ASSERT_EQ(run({"tetrahedralize", "in.msh", "-o", "out.msh"}).status, 0);
+    const SimplexSoup out = io::read_simplices(directory / "out.msh");
+    EXPECT_EQ(by_place(out, 2), by_place(surface, 2));
+    for (const auto& group : surface.groups)
+      EXPECT_NE(std::ranges::find(out.groups, group), out.groups.end()) << group.name;
+  }
+}
+
 /// Two cubes that touch at a point or along an edge; curves, interfaces and held points are groups with
 /// names.
 TEST_F(TetFiles, TetrahedralizeTagsAllAndItsOutputIsValid) {
