@@ -85,13 +85,15 @@ void check_enclosed(const Filling& filling, const Facets& facets) {
 void warn_of_triangles(const Facets& facets, std::vector<std::string>& warnings) {
   if (facets.collapsed > 0)
     warnings.push_back(counted(facets.collapsed, "triangle") + " that repeat a point left out");
-  if (facets.flat > 0)
-    warnings.push_back(
-        counted(facets.flat, "triangle") + " without area" +
-        (facets.least_height > 0 ? ", up to the rounding of single precision," : "") + " left out" +
-        (facets.split > 0
-             ? "; " + counted(facets.split, "neighbour") + " cut where these had joined them to others"
-             : ""));
+  if (facets.flat == 0) return;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(2);
+  text << counted(facets.flat, "triangle") << " without area (no higher than " << facets.least_height
+       << ") left out";
+  if (facets.split > 0)
+    text << "; " << counted(facets.split, "neighbour") << " cut where these had joined them to others";
+  warnings.push_back(text.str());
 }
 
 /// Triangles that are there again. One with each orientation is right between two regions.

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
+#include <set>
+#include <stdexcept>
 
 #include "adapters/tetgen/choice.hpp"
 #include "adapters/tetgen/fill_options.hpp"
@@ -81,12 +84,13 @@ Filling refine(const Filling& first, const Choice& choice, const Surface& surfac
   return filling;
 }
 
-/// What single precision, in which many formats store coordinates, makes of a distance of 0.
-double rounding_of_floats(std::span<const Point> points, const FacetList& triangles) {
+/// What a number format makes of a distance of 0, at worst.
+template <class Number>
+double rounding(std::span<const Point> points, const FacetList& triangles) {
   double largest = 0;
   for (const Index v : triangles.corners)
     for (const double x : points[v]) largest = std::max(largest, std::abs(x));
-  return 4 * std::numeric_limits<float>::epsilon() * largest;
+  return 4 * static_cast<double>(std::numeric_limits<Number>::epsilon()) * largest;
 }
 
 Tetrahedralization fill(std::span<const Point> points, const Facets& facets,
@@ -108,19 +112,20 @@ Tetrahedralization tetrahedralize(std::span<const Point> points, const FacetList
   check_options(options);
   check_points(points, triangles);
   const WorkerOptions worker = worker_options(options);
-  const Facets facets = make_facets(points, triangles);
-  try {
-    return fill(points, facets, options, worker);
-  } catch (const std::runtime_error&) {
-    // Often because of triangles that rounding alone has kept from being flat, folded over their neighbours.
-    const Facets fewer = make_facets(points, triangles, rounding_of_floats(points, triangles));
-    if (fewer.flat == facets.flat) throw;
+  // Triangles that rounding alone has kept from being flat are often folded over their neighbours. Files may
+  // have rounded to single precision; or mean what is as small as the rounding of doubles.
+  std::exception_ptr failure;
+  std::set<std::size_t> tried;
+  for (const double height : {rounding<double>(points, triangles), 0.0, rounding<float>(points, triangles)}) {
+    const Facets facets = make_facets(points, triangles, height);
+    if (!tried.insert(facets.flat).second) continue;
     try {
-      return fill(points, fewer, options, worker);
+      return fill(points, facets, options, worker);
     } catch (const std::runtime_error&) {
+      if (!failure) failure = std::current_exception();
     }
-    throw;
   }
+  std::rethrow_exception(failure);
 }
 
 }  // namespace multimesh::tetgen

@@ -76,15 +76,15 @@ struct Tetrahedralization : TetrahedraList {
 /// Fills with tetrahedra what triangles enclose. They may meet in corners and whole edges, as many as like,
 /// and in any orientation; those with equal corners count as one. Regions are what they separate, numbered in
 /// the order of the triangles; what is outside is left out. Triangles that separate nothing stay as sheets
-/// inside. Those without area or with a repeated corner are left out; where TetGen fails, also those that
-/// only the rounding of single precision keeps from being flat. TetGen works in a process of its own,
-/// so that neither its crash, nor its memory, nor an endless loop is the caller's. May be called from several
-/// threads, also at the same time. Nothing is printed. The result is verified: all tetrahedra are positive
-/// and meet in faces, the triangles are faces (or covered by faces), volumes are those that the surface
-/// encloses (1e-9 relative). Cost: about 0.5 s for 10 000 triangles that are not split, some surfaces far
-/// more. \throw InputError naming a triangle, edge or point if the surface encloses nothing, or intersects
-/// itself, or if a seed is in no region; WorkerError if TetGen ended otherwise, or gave a result that is not
-/// right; UsageError if an option is out of its range
+/// inside. Those with a repeated corner, or without area up to the
+/// rounding of coordinates, are left out; where TetGen fails, up to that of single precision. TetGen works in
+/// a process of its own, so that neither its crash, nor its memory, nor an endless loop is the caller's. May
+/// be called from several threads, also at the same time. Nothing is printed. The result is verified: all
+/// tetrahedra are positive and meet in faces, the triangles are faces (or covered by faces), volumes are
+/// those that the surface encloses (1e-9 relative). Cost: about 0.5 s for 10 000 triangles that are not
+/// split, some surfaces far more. \throw InputError naming a triangle, edge or point if the surface encloses
+/// nothing, or intersects itself, or if a seed is in no region; WorkerError if TetGen ended otherwise, or
+/// gave a result that is not right; UsageError if an option is out of its range
 Tetrahedralization tetrahedralize(std::span<const Point> points, const FacetList& triangles,
                                   const TetrahedralizeOptions& options = {});
 
