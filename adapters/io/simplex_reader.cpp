@@ -61,6 +61,7 @@ bool is_surface(std::string_view extension) {
 
 ReadOptions with_lines(ReadOptions options) {
   options.keep_lines = true;
+  options.max_collapsed_share = 1;
   options.max_defective_share = 1;  // solids that meet may both list what is between them
   return options;
 }

@@ -160,6 +160,7 @@ TEST_F(TetrahedralizeCommand, FaultsOfTrianglesAreRepairedWithAWarning) {
   Triangles t = cube_at(0);
   std::swap(t[1][0], t[1][1]);
   t.push_back(t[4]);
+  t.push_back({t[0][0], t[0][0], t[0][1]});
   file("faults.obj", obj({{"", t}}));
   const Ended e = run({"tetrahedralize", "faults.obj", "-o", "out.msh"});
   ASSERT_EQ(e.status, 0) << e.err;
