@@ -8,6 +8,7 @@
 #include "tools/command.hpp"
 #include "tools/comparison_json.hpp"
 #include "tools/comparison_page.hpp"
+#include "tools/follow_paths.hpp"
 #include "tools/html_report.hpp"
 #include "tools/output_check.hpp"
 #include "tools/surface_file.hpp"
@@ -19,7 +20,7 @@ namespace {
 struct CompareArguments {
   std::string original, other, html;
   CompareOptions options;
-  bool json = false;
+  bool json = false, follow_paths = false;
 };
 
 /// Lines of a table: a name, then numbers in columns.
@@ -88,12 +89,13 @@ Json side(Json counts) {
   return counts;
 }
 
-void write_page(const CompareArguments& a, const SurfaceFile& original, const SurfaceFile& other,
-                const SurfaceComparison& comparison) {
+std::vector<std::string> write_page(const CompareArguments& a, const SurfaceFile& original,
+                                    const SurfaceFile& other, const SurfaceComparison& comparison) {
   const Json j = to_json(comparison);
-  write_comparison_page(a.html, original.path.filename().string() + " and " + other.path.filename().string(),
-                        html_mesh(original), html_mesh(other), comparison,
-                        {{"before", side(j["original"])}, {"after", side(j["other"])}});
+  return write_comparison_page(a.html,
+                               original.path.filename().string() + " and " + other.path.filename().string(),
+                               html_mesh(original), html_mesh(other), comparison,
+                               {{"before", side(j["original"])}, {"after", side(j["other"])}});
 }
 
 void run(const CompareArguments& a) {
@@ -101,11 +103,13 @@ void run(const CompareArguments& a) {
     require_html_report();
     check_output_path(a.html, {a.original, a.other});
   }
-  const SurfaceFile original = read_surface(a.original), other = read_surface(a.other);
+  SurfaceFile original = read_surface(a.original), other = read_surface(a.other);
+  original.follow_paths = other.follow_paths = a.follow_paths;
   CompareOptions options = a.options;
   options.per_vertex = !a.html.empty();
   const SurfaceComparison comparison = compare_surfaces(original.input, other.input, options);
-  if (!a.html.empty()) write_page(a, original, other, comparison);
+  std::vector<std::string> notes;
+  if (!a.html.empty()) notes = write_page(a, original, other, comparison);
   if (a.json) {
     Json j{{"original_file", a.original}, {"other_file", a.other}, {"samples", a.options.samples}};
     j.update(to_json(comparison));
@@ -115,6 +119,7 @@ void run(const CompareArguments& a) {
   }
   for (const SurfaceFile* file : {&original, &other})
     for (const auto& w : file->warnings) std::cerr << "warning: " << file->path.string() << ": " << w << '\n';
+  for (const std::string& note : notes) std::cerr << "warning: " << note << '\n';
   if (!std::cout.flush()) throw InputError("standard output: writing failed");
 }
 
@@ -138,6 +143,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->add_flag("--json", a->json, "print JSON");
   command->add_option("--report-html", a->html,
                       "write a page with both surfaces in 3D and the errors measured");
+  add_follow_paths(*command, a->follow_paths);
   command->footer(
       "Example:  multimesh compare cow.obj small.obj\n\n"
       "distance: of the surfaces, both ways. texture deviation: from a point to the place of the original "

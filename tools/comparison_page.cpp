@@ -6,8 +6,9 @@
 
 namespace multimesh::tools {
 
-void write_comparison_page(const std::filesystem::path& path, const std::string& title, HtmlMesh before,
-                           HtmlMesh after, SurfaceComparison comparison, Json numbers) {
+std::vector<std::string> write_comparison_page(const std::filesystem::path& path, const std::string& title,
+                                               HtmlMesh before, HtmlMesh after, SurfaceComparison comparison,
+                                               Json numbers) {
   const Json measured = to_json(comparison);
   numbers["comparison"] = {{"diagonal", measured["diagonal"]},
                            {"distance", measured["distance"]},
@@ -20,7 +21,7 @@ void write_comparison_page(const std::filesystem::path& path, const std::string&
   report.errors.push_back({"Distance", std::move(comparison.vertex_distance)});
   if (comparison.texture)
     report.errors.push_back({"Texture deviation", std::move(comparison.vertex_deviation)});
-  write_html_report(path, report);
+  return write_html_report(path, report);
 }
 
 }  // namespace multimesh::tools

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "multimesh/error.hpp"
+#include "tools/follow_paths.hpp"
 #include "tools/number_check.hpp"
 
 namespace multimesh::tools {
@@ -28,20 +29,23 @@ void add_targets(CLI::App& command, DecimateArguments& a) {
       ->check(number([](double n) { return n >= 1 && n == std::floor(n); }, "a whole number above 0", "N"))
       ->excludes(ratio);
   group
-      ->add_option("--max-error", a.max_error,
-                   "no point of the input gets farther than this from the surface, and no vertex of the surface "
-                   "from the input; relative to the diagonal of the bounding box (0.001 = 0.1%)")
+      ->add_option(
+          "--max-error", a.max_error,
+          "no point of the input gets farther than this from the surface, and no vertex of the surface "
+          "from the input; relative to the diagonal of the bounding box (0.001 = 0.1%)")
       ->check(length());
   group
       ->add_option("--max-texture-error", a.max_texture_error,
                    "no vertex of the input is painted farther than this from its place; relative as above")
       ->check(length());
   group
-      ->add_option("--levels", a.levels,
-                   "levels of detail on the way: shares or numbers of faces, descending, separated by commas. "
-                   "Level i is written to OUT.lod<i>.obj, the last one or the target to OUT.obj")
+      ->add_option(
+          "--levels", a.levels,
+          "levels of detail on the way: shares or numbers of faces, descending, separated by commas. "
+          "Level i is written to OUT.lod<i>.obj, the last one or the target to OUT.obj")
       ->delimiter(',')
-      ->check(number([](double r) { return r > 0 && std::isfinite(r); }, "above 0, for instance 0.5,0.25", "L"));
+      ->check(
+          number([](double r) { return r > 0 && std::isfinite(r); }, "above 0, for instance 0.5,0.25", "L"));
   group->require_option(1, 0);
 }
 
@@ -58,15 +62,16 @@ void add_limits(CLI::App& command, DecimateArguments& a) {
       ->check(number([](double d) { return d > 0 && d <= 180; }, "in (0, 180], for instance 40", "DEGREES"))
       ->group("Limits");
   command
-      .add_option("--normal-deviation", a.normal_deviation,
-                  "no normal gets farther than this from those of the input's faces that it stands for, in degrees")
+      .add_option(
+          "--normal-deviation", a.normal_deviation,
+          "no normal gets farther than this from those of the input's faces that it stands for, in degrees")
       ->check(number([](double d) { return d > 0 && d <= 180; }, "in (0, 180], for instance 15", "DEGREES"))
       ->group("Limits");
   command
       .add_option("--aspect-ratio", a.aspect_ratio,
                   "no triangle gets a longest edge more than this times its shortest height")
-      ->check(number([](double r) { return r >= 1.155 && std::isfinite(r); }, "1.155 or more, for instance 20",
-                     "R"))
+      ->check(number([](double r) { return r >= 1.155 && std::isfinite(r); },
+                     "1.155 or more, for instance 20", "R"))
       ->group("Limits");
 }
 
@@ -75,8 +80,9 @@ void add_weights(CLI::App& command, DecimateArguments& a) {
     command.add_option(name, value, text)->check(weight())->capture_default_str()->group("Cost");
   };
   command
-      .add_option("--cost", a.cost,
-                  "what is collapsed first: quadric (deviation of shape and texture) or length (shortest edge)")
+      .add_option(
+          "--cost", a.cost,
+          "what is collapsed first: quadric (deviation of shape and texture) or length (shortest edge)")
       ->check(CLI::IsMember({"quadric", "length"}))
       ->capture_default_str()
       ->group("Cost");
@@ -97,10 +103,12 @@ void add_options(CLI::App& command, DecimateArguments& a) {
   add_targets(command, a);
   add_limits(command, a);
   add_weights(command, a);
+  add_follow_paths(command, a.follow_paths);
   command.add_option("--report", a.report, "write what was done, and what stood in the way, as JSON");
   command.add_option("--report-html", a.html,
                      "write a page with both surfaces in 3D, their atlases and the errors measured");
-  command.add_flag("--measure", a.measure, "measure the distance and texture deviation reached, for --report");
+  command.add_flag("--measure", a.measure,
+                   "measure the distance and texture deviation reached, for --report");
   command.add_flag("--quiet", a.quiet, "print errors only");
 }
 

@@ -19,7 +19,7 @@ struct DecimateArguments {
   double normal_deviation = 0, aspect_ratio = 0, feature_angle = 0;
   DecimateOptions weights;  ///< only cost and weights of it
   std::string cost = "quadric";
-  bool measure = false, quiet = false;
+  bool measure = false, quiet = false, follow_paths = false;
 };
 
 /// Adds the options to the command; they are written into `a` when it is parsed.

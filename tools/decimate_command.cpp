@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -61,11 +62,18 @@ void check_paths(const DecimateArguments& a) {
     throw InputError(a.html + ": both reports would have this name; choose another one");
 }
 
+void add_new(std::vector<std::string>& warnings, const std::vector<std::string>& more) {
+  for (const std::string& w : more)
+    if (std::ranges::find(warnings, w) == warnings.end()) warnings.push_back(w);
+}
+
 /// Of the whole run, for the reports.
 class Run {
  public:
   explicit Run(const DecimateArguments& a)
-      : a_(a), file_(read_surface(a.input)), options_(decimate_options(a, file_.input.triangles.size())) {}
+      : a_(a), file_(read_surface(a.input)), options_(decimate_options(a, file_.input.triangles.size())) {
+    file_.follow_paths = a.follow_paths;
+  }
 
   void decimate();
   void write_reports();
@@ -115,7 +123,8 @@ void Run::decimate() {
 
 /// Against the input, which is read again: while the surface was decimated, its memory was better used.
 void Run::measure(Json& j) {
-  const SurfaceFile input = read_surface(a_.input);
+  SurfaceFile input = read_surface(a_.input);
+  input.follow_paths = a_.follow_paths;
   SurfaceComparison comparison =
       compare_surfaces(input.input, left_, {.topology = false, .per_vertex = !a_.html.empty()});
   const Json measured = to_json(comparison);
@@ -125,8 +134,9 @@ void Run::measure(Json& j) {
   after.caption = fs::path(a_.output).filename().string();
   Json numbers = j;
   numbers.erase("measured");
-  write_comparison_page(a_.html, fs::path(a_.input).filename().string() + ", decimated", html_mesh(input),
-                        std::move(after), std::move(comparison), std::move(numbers));
+  add_new(file_.warnings, write_comparison_page(
+                              a_.html, fs::path(a_.input).filename().string() + ", decimated",
+                              html_mesh(input), std::move(after), std::move(comparison), std::move(numbers)));
 }
 
 void Run::write_reports() {
@@ -138,6 +148,7 @@ void Run::write_reports() {
   j["seconds"] = seconds_;
   j["warnings"] = file_.warnings;
   if (a_.measure || !a_.html.empty()) measure(j);
+  j["warnings"] = file_.warnings;
   if (a_.report.empty()) return;
   io::AtomicFile file(a_.report);
   file.write(to_text(j));

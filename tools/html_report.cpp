@@ -86,7 +86,7 @@ void write_bundle(io::AtomicFile& file, std::span<const std::string_view> pieces
   for (const std::string_view piece : pieces) file.write(piece);
 }
 
-void write_page(io::AtomicFile& file, const HtmlReport& report, const ViewerBundle& bundle) {
+Json write_page(io::AtomicFile& file, const HtmlReport& report, const ViewerBundle& bundle) {
   Json notes = Json::array();
   const Contents shown = contents(report, notes);
   HtmlTextures textures(max_html_texture_bytes);
@@ -105,9 +105,12 @@ void write_page(io::AtomicFile& file, const HtmlReport& report, const ViewerBund
   write_bundle(file, bundle.page);
   Json errors = Json::array();
   for (const HtmlError& error : report.errors) errors.push_back(error.name);
-  const Json all = {{"title", report.title},       {"generator", std::string("multimesh ") + version},
-                    {"meshes", std::move(meshes)}, {"textures", textures.names()},
-                    {"notes", std::move(notes)},   {"errors", std::move(errors)},
+  const Json all = {{"title", report.title},
+                    {"generator", std::string("multimesh ") + version},
+                    {"meshes", std::move(meshes)},
+                    {"textures", textures.names()},
+                    {"notes", notes},
+                    {"errors", std::move(errors)},
                     {"numbers", report.numbers}};
   file.write("<script type=\"application/json\" id=\"report\">" + json_for_html(all) + "</script>\n");
   const HtmlFrame frame = common_frame(report.before.surface, report.after.surface);
@@ -122,6 +125,7 @@ void write_page(io::AtomicFile& file, const HtmlReport& report, const ViewerBund
   file.write("<script>");
   write_bundle(file, bundle.script);
   file.write("</script>\n</body>\n</html>\n");
+  return notes;
 }
 
 }  // namespace
@@ -137,12 +141,13 @@ void require_html_report() {
         "(scripts/setup-debian.sh does), and build with -DMULTIMESH_WITH_VIEWER=ON");
 }
 
-void write_html_report(const std::filesystem::path& path, const HtmlReport& report) {
+std::vector<std::string> write_html_report(const std::filesystem::path& path, const HtmlReport& report) {
   require_html_report();
   check(report);
   io::AtomicFile file(path);
-  write_page(file, report, *viewer_bundle());
+  const Json notes = write_page(file, report, *viewer_bundle());
   file.commit();
+  return notes.get<std::vector<std::string>>();
 }
 
 }  // namespace multimesh::tools

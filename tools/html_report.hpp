@@ -42,8 +42,9 @@ bool can_write_html_report();
 void require_html_report();
 
 /// One file that needs nothing else: three.js, meshes and textures are in it. Complete or not at all.
+/// \return the notes on the page: what it does not show, and why.
 /// \throw InputError if it cannot be written, or as require_html_report(). \throw UsageError for an error or
 /// a material list of the wrong length, or an error that is not a number.
-void write_html_report(const std::filesystem::path& path, const HtmlReport& report);
+std::vector<std::string> write_html_report(const std::filesystem::path& path, const HtmlReport& report);
 
 }  // namespace multimesh::tools

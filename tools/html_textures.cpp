@@ -21,7 +21,7 @@ std::size_t HtmlTextures::number(const std::filesystem::path& file) {
   }
   size_ += image.uri.size();
   const std::string name = file.filename().string();
-  if (!image.problem.empty())
+  if (!image.problem.empty() && std::filesystem::exists(file, error))
     notes_.push_back("texture " + name + ": " + image.problem + "; a checker pattern is shown instead");
   names_.push_back({{"name", name}});
   uris_.push_back(std::move(image.uri));

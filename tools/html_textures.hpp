@@ -16,7 +16,8 @@ class HtmlTextures {
   /// `limit`: bytes of all data URIs together.
   explicit HtmlTextures(std::size_t limit) : limit_(limit) {}
 
-  /// Its number. A file that cannot be shown has one too, with an empty URI and a note.
+  /// Its number. A file that cannot be shown has one too, with an empty URI and, unless it is missing (see
+  /// read_materials), a note.
   std::size_t number(const std::filesystem::path& file);
 
   Json names() const { return names_; }  ///< [{"name": ..}]

@@ -3,40 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
-#include "adapters/io/file_bytes.hpp"
+#include "adapters/io/material_library.hpp"
 #include "adapters/io/mtl_rewrite.hpp"
 #include "adapters/io/text_cursor.hpp"
-#include "multimesh/error.hpp"
 
 namespace multimesh::tools {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_file(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
-
-/// The first of these that exists: as written or with slashes, in each of the directories in turn.
-fs::path resolved(std::string_view name, std::initializer_list<fs::path> directories) {
-  std::string slashes(name);
-  std::ranges::replace(slashes, '\\', '/');
-  for (const fs::path& directory : directories)
-    for (const std::string& written : {std::string(name), slashes})
-      if (is_file(directory / written)) return directory / written;
-  return *directories.begin() / std::string(name);
-}
-
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
 
 /// `Kd r g b` or `Kd r`; spectra and other colour spaces are left alone.
 void read_color(io::TextCursor cursor, Material& material) {
@@ -49,8 +25,13 @@ void read_color(io::TextCursor cursor, Material& material) {
 
 class LibraryReader {
  public:
-  LibraryReader(const fs::path& library, const fs::path& obj, std::vector<Material>& materials)
-      : beside_library_(library.parent_path()), beside_obj_(obj.parent_path()), materials_(materials) {}
+  LibraryReader(const fs::path& library, const fs::path& obj, bool follow_paths,
+                std::vector<Material>& materials, std::vector<std::string>& notes)
+      : library_(library),
+        obj_(obj),
+        finder_(library, obj, follow_paths),
+        materials_(materials),
+        notes_(notes) {}
 
   void read(std::string_view text) {
     while (!text.empty()) {
@@ -58,24 +39,34 @@ class LibraryReader {
       line(text.substr(0, end));
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
+    for (std::string& warning : finder_.warnings()) notes_.push_back(std::move(warning));
   }
 
  private:
   void line(std::string_view text) {
     io::TextCursor cursor(text);
-    const std::string word = lower(cursor.word());
+    const std::string word = io::lower_case(cursor.word());
     if (word == "newmtl") {
       begin(std::string(io::trimmed(cursor.rest())));
     } else if (current_ == none) {
       return;
     } else if (word == "kd") {
       read_color(cursor, materials_[current_]);
-    } else if (word == "map_kd") {
+    } else {
       // The function that rewrites textures knows where options end and the path begins.
       io::rewrite_textures(text, [&](std::string_view path) {
-        materials_[current_].texture = resolved(path, {beside_library_, beside_obj_});
+        const io::FoundFile found = finder_(path);
+        if (word == "map_kd") set_texture(path, found);
         return std::string(path);
       });
+    }
+  }
+
+  void set_texture(std::string_view name, const io::FoundFile& found) {
+    if (found.outside) {
+      notes_.push_back("the texture '" + std::string(name) + "' " + io::outside_of_directory(obj_));
+    } else {
+      materials_[current_].texture = found.path.empty() ? library_.parent_path() / name : found.path;
     }
   }
 
@@ -86,24 +77,25 @@ class LibraryReader {
   }
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  fs::path beside_library_, beside_obj_;
+  fs::path library_, obj_;
+  io::TextureFinder finder_;
   std::vector<Material>& materials_;
+  std::vector<std::string>& notes_;
   std::size_t current_ = none;
 };
 
 }  // namespace
 
 std::vector<Material> read_materials(const std::vector<std::string>& libraries, const fs::path& obj,
-                                     std::vector<std::string>& notes) {
+                                     std::vector<std::string>& notes, bool follow_paths) {
   std::vector<Material> materials;
   for (const std::string& name : libraries) {
-    const fs::path library = resolved(name, {obj.parent_path()});
-    try {
-      const io::FileBytes bytes(library);
-      LibraryReader(library, obj, materials).read(bytes.view());
-    } catch (const InputError&) {
-      notes.push_back("material library " + name + ": not found, or not readable; its materials are grey");
-    }
+    const io::MaterialLibrary library = io::read_material_library(name, obj, follow_paths);
+    if (!library.problem.empty())
+      notes.push_back("the material library '" + name + "' " + library.problem +
+                      (library.text.empty() ? "; its materials are grey" : ""));
+    if (!library.text.empty())
+      LibraryReader(library.path, obj, follow_paths, materials, notes).read(library.text);
   }
   return materials;
 }

@@ -15,10 +15,12 @@ struct Material {
   std::filesystem::path texture = {};               ///< map_Kd, resolved; empty: none
 };
 
-/// All materials of the libraries of an OBJ file, the first of each name. Libraries are relative to the file;
-/// textures lie beside their library, or else beside the OBJ file, and the separators of Windows are
-/// understood, as relocate_material_libraries has it. \param notes gets a sentence per library not read.
+/// All materials of the libraries of an OBJ file, the first of each name. Libraries and textures are found as
+/// relocate_material_libraries has it; those outside of the directory of the file are used only if paths are
+/// followed. \param notes gets a sentence per library or texture that is not used, and one per library about
+/// textures that are missing.
 std::vector<Material> read_materials(const std::vector<std::string>& libraries,
-                                     const std::filesystem::path& obj, std::vector<std::string>& notes);
+                                     const std::filesystem::path& obj, std::vector<std::string>& notes,
+                                     bool follow_paths = false);
 
 }  // namespace multimesh::tools

@@ -10,6 +10,7 @@
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/version.hpp"
 #include "tools/command.hpp"
+#include "tools/follow_paths.hpp"
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/surface_file.hpp"
@@ -23,7 +24,7 @@ struct RemeshArguments {
   std::string input, output, report;
   double length = 0, relative_length = 0;  ///< 0: not given
   double feature_angle = 0;                ///< degrees; 0: not given
-  bool preserve_materials = true, quiet = false;
+  bool preserve_materials = true, quiet = false, follow_paths = false;
   SurfaceRemeshOptions options;
 };
 
@@ -48,6 +49,7 @@ void add_options(CLI::App& command, RemeshArguments& a) {
   command.add_flag("--lock-boundary", a.options.lock_boundary, "keep the boundary as it is, edge by edge");
   command.add_flag("--preserve-materials,!--no-preserve-materials", a.preserve_materials,
                    "keep borders between materials as curves (default: yes)");
+  add_follow_paths(command, a.follow_paths);
   command.add_option("--report", a.report, "write what was done as JSON");
   command.add_flag("--quiet", a.quiet, "print errors only");
 }
@@ -79,6 +81,7 @@ void check_paths(const RemeshArguments& a) {
 void run(RemeshArguments& a) {
   check_paths(a);
   SurfaceFile file = read_surface(a.input);
+  file.follow_paths = a.follow_paths;
   a.options.length =
       a.length > 0 ? a.length : a.relative_length * bounding_box_diagonal(file.input.positions);
   if (!(a.options.length > 0)) throw InputError(a.input + ": the surface has no extent; give --length");

@@ -27,6 +27,7 @@ struct SurfaceFile {
   std::vector<io::PolygonSoup::Section> sections;  ///< one at least
   std::vector<std::uint32_t> section;              ///< per input triangle; empty: the first for all
   std::vector<std::string> material_libraries;
+  bool follow_paths = false;  ///< read materials and textures outside of the directory of the file, too
   std::vector<std::string> warnings;
 
   const io::PolygonSoup::Section& section_of(Index triangle) const {

@@ -49,7 +49,7 @@ void write_surface(const std::filesystem::path& path, const TexturedSurface& sur
     out.face_section.push_back(file.section.empty() ? 0 : file.section[source[t]]);
   }
   out.material_libraries =
-      io::relocate_material_libraries(file.material_libraries, file.path, path, warnings);
+      io::relocate_material_libraries(file.material_libraries, file.path, path, warnings, file.follow_paths);
   io::write_obj(path, out, {.header = {std::string("multimesh ") + version}});
 }
 

@@ -6,6 +6,7 @@
 
 #include "adapters/io/atomic_file.hpp"
 #include "adapters/io/file_bytes.hpp"
+#include "adapters/io/material_library.hpp"
 #include "adapters/io/mtl_rewrite.hpp"
 #include "adapters/io/output_path.hpp"
 
@@ -14,32 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path directory_of(const fs::path& file) {
-  return fs::weakly_canonical(fs::absolute(file).parent_path());
-}
-
 bool is_file(const fs::path& path) {
   std::error_code error;
   return fs::is_regular_file(path, error);
 }
 
-/// As written, or with the separators of Windows replaced if only that names a file.
-fs::path with_slashes(std::string_view name, const fs::path& directory) {
-  std::string slashes(name);
-  std::ranges::replace(slashes, '\\', '/');
-  return !is_file(directory / name) && is_file(directory / slashes) ? fs::path(slashes) : fs::path(name);
-}
-
-bool is_absolute(std::string_view name) {
-  const bool drive = name.size() > 2 && name[1] == ':' && (name[2] == '\\' || name[2] == '/');
-  return drive || name.starts_with('/') || name.starts_with("\\\\") ||
-         name.find("://") != std::string_view::npos;
-}
-
 class Relocation {
  public:
-  Relocation(const fs::path& input, const fs::path& output, std::vector<std::string>& warnings)
-      : from_(directory_of(input)),
+  Relocation(const fs::path& input, const fs::path& output, bool follow_paths,
+             std::vector<std::string>& warnings)
+      : input_(input),
+        follow_paths_(follow_paths),
+        from_(directory_of(input)),
         to_(directory_of(checked_output_path(output))),
         stem_(output.stem().string()),
         output_(output.string()),
@@ -48,41 +35,43 @@ class Relocation {
   bool same_directory() const { return from_ == to_; }
 
   std::string relocate(const std::string& name) {
-    const fs::path source = fs::weakly_canonical(from_ / with_slashes(name, from_));
-    if (!is_file(source)) {
-      warnings_.push_back(output_ + ": the material library '" + name + "' was not found in " +
-                          from_.string() + "; its name is kept");
-      return name;
-    }
-    if (source.parent_path() == to_) return source.filename().string();
-    return copy(source);
+    const MaterialLibrary library = read_material_library(name, input_, follow_paths_);
+    if (is_in_place(library.path)) return library.path.filename().string();
+    if (!library.problem.empty())
+      warnings_.push_back(output_ + ": the material library '" + name + "' " + library.problem +
+                          (library.text.empty() ? "; its name is kept" : ""));
+    return library.text.empty() ? name : copy(library);
   }
 
  private:
-  std::string copy(const fs::path& source) {
-    const FileBytes bytes(source);
-    const fs::path directory = source.parent_path();
-    const std::string text =
-        rewrite_textures(bytes.view(), [&](std::string_view name) { return texture(name, directory); });
-    const std::string name = free_name(source.filename().string(), text);
+  bool is_in_place(const fs::path& library) const { return !library.empty() && directory_of(library) == to_; }
+
+  std::string copy(const MaterialLibrary& library) {
+    TextureFinder finder(library.path, input_, follow_paths_);
+    const fs::path directory = directory_of(library.path);
+    const std::string text = rewrite_textures(
+        library.text, [&](std::string_view name) { return texture(name, directory, finder(name).path); });
+    for (std::string& warning : finder.warnings()) warnings_.push_back(std::move(warning));
+    const std::string source = library.path.filename().string(), name = free_name(source, text);
     if (!fs::exists(to_ / name)) {
       AtomicFile file(to_ / name);
       file.write(text);
       file.commit();
     }
     taken_.push_back(name);
-    if (name != source.filename())
-      warnings_.push_back(output_ + ": another " + source.filename().string() + " is in " + to_.string() +
+    if (name != source)
+      warnings_.push_back(output_ + ": another " + source + " is in " + to_.string() +
                           "; the material library is written as " + name);
     return name;
   }
 
-  /// Textures lie beside their MTL file, with some exporters beside the OBJ file.
-  std::string texture(std::string_view name, const fs::path& mtl_directory) const {
-    if (is_absolute(name)) return std::string(name);
-    const fs::path beside_mtl = with_slashes(name, mtl_directory), beside_obj = with_slashes(name, from_);
-    const bool use_obj = !is_file(mtl_directory / beside_mtl) && is_file(from_ / beside_obj);
-    const fs::path target = use_obj ? from_ / beside_obj : mtl_directory / beside_mtl;
+  /// The name of a texture as the output sees it. The file that was found may have another one: one of the
+  /// tiles that `<UDIM>` stands for, for instance.
+  std::string texture(std::string_view name, const fs::path& mtl_directory, const fs::path& found) const {
+    if (is_absolute_name(name) && (found.empty() || found == fs::path(name))) return std::string(name);
+    std::string last(last_part(name));
+    if (last.find('<') == std::string::npos && !found.empty()) last = found.filename().string();
+    const fs::path target = found.empty() ? mtl_directory / name : directory_of(found) / last;
     const fs::path moved = target.lexically_normal().lexically_relative(to_);
     return moved.empty() ? target.string() : moved.generic_string();
   }
@@ -105,6 +94,8 @@ class Relocation {
            FileBytes(to_ / name).view() == text;
   }
 
+  fs::path input_;
+  bool follow_paths_;
   fs::path from_, to_;
   std::string stem_;
   std::string output_;
@@ -116,8 +107,8 @@ class Relocation {
 
 std::vector<std::string> relocate_material_libraries(const std::vector<std::string>& libraries,
                                                      const fs::path& input, const fs::path& output,
-                                                     std::vector<std::string>& warnings) {
-  Relocation relocation(input, output, warnings);
+                                                     std::vector<std::string>& warnings, bool follow_paths) {
+  Relocation relocation(input, output, follow_paths, warnings);
   if (relocation.same_directory()) return libraries;
   std::vector<std::string> names;
   for (const std::string& library : libraries) names.push_back(relocation.relocate(library));

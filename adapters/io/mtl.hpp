@@ -15,13 +15,16 @@ namespace multimesh::io {
 /// name already it is left alone, and the copy is named after the output (`out.mtl`, `out_2.mtl`, …). A file
 /// equal to the copy is used as it is. MTL files of the input are never written to.
 ///
-/// A missing MTL file keeps its name and adds a warning.
+/// A library is copied if it is found as find_file() has it in or below the input's directory, or anywhere if
+/// `follow_paths`, and is an MTL file; lines that are no MTL are left out. Others keep their names.
 /// \param libraries PolygonSoup::material_libraries of the input, relative to the input's directory.
-/// \param warnings gets one sentence per missing file and per copy under another name.
-/// \throw InputError when an MTL file cannot be read or written, or the output directory does not exist.
+/// \param warnings gets one sentence per file that is not copied, or under another name, and per library one
+///   about textures that are missing.
+/// \throw InputError when an MTL file cannot be written, or the output directory does not exist.
 std::vector<std::string> relocate_material_libraries(const std::vector<std::string>& libraries,
                                                      const std::filesystem::path& input,
                                                      const std::filesystem::path& output,
-                                                     std::vector<std::string>& warnings);
+                                                     std::vector<std::string>& warnings,
+                                                     bool follow_paths = false);
 
 }  // namespace multimesh::io

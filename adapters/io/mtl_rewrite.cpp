@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "adapters/io/mtl_statements.hpp"
 #include "adapters/io/text_cursor.hpp"
 
 namespace multimesh::io {
@@ -26,21 +27,17 @@ constexpr std::array<std::pair<std::string_view, int>, 14> options = {{{"-blendu
                                                                        {"-type", 1},
                                                                        {"-colorspace", 1}}};
 
-bool is_texture_statement(std::string_view word) {
-  std::string lower(word);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (lower == "map_aat") return false;  // on or off
-  constexpr std::array<std::string_view, 5> words = {"bump", "disp", "decal", "refl", "norm"};
-  return lower.starts_with("map_") || std::ranges::find(words, lower) != words.end();
-}
-
 bool is_number(std::string_view word) {
   double value = 0;
   return TextCursor(word).number(value);
 }
 
-/// Takes the arguments of an option. The last word of the line is never one: it belongs to the path.
+const auto* option_of(std::string_view word) {
+  return std::ranges::find(options, word, &std::pair<std::string_view, int>::first);
+}
+
+/// Takes the arguments of an option before a path. The last word of the line is never one: it belongs to the
+/// path.
 void skip_arguments(TextCursor& cursor, int most) {
   for (int n = 0; n < most; ++n) {
     TextCursor ahead = cursor;
@@ -50,15 +47,39 @@ void skip_arguments(TextCursor& cursor, int most) {
   }
 }
 
-/// What is left of the line after the statement and its options.
+/// Whether all of a text is options with their arguments.
+bool is_options(TextCursor cursor) {
+  while (!cursor.at_end()) {
+    const auto* option = option_of(cursor.word());
+    if (option == options.end() || cursor.at_end()) return false;
+    int n = 0;
+    for (TextCursor ahead = cursor; n < option->second && !ahead.at_end(); ++n, cursor = ahead)
+      if (!is_number(ahead.word()) && option->second > 1) break;
+    if (n == 0) return false;
+  }
+  return true;
+}
+
+/// Without the options that some programs write behind a path.
+std::string_view without_options_behind(std::string_view path) {
+  for (std::size_t at = path.find(" -"); at != std::string_view::npos; at = path.find(" -", at + 1))
+    if (is_options(TextCursor(path.substr(at)))) return trimmed(path.substr(0, at));
+  return path;
+}
+
+std::string_view without_quotes(std::string_view path) {
+  const bool quoted = path.size() > 2 && path.front() == '"' && path.back() == '"';
+  return quoted ? path.substr(1, path.size() - 2) : path;
+}
+
+/// What is left of the line without the statement and its options.
 std::string_view texture_path(std::string_view line) {
   TextCursor cursor(line);
   if (!is_texture_statement(cursor.word())) return {};
   while (true) {
     TextCursor ahead = cursor;
-    const std::string_view word = ahead.word();
-    const auto option = std::ranges::find(options, word, &std::pair<std::string_view, int>::first);
-    if (option == options.end()) return trimmed(cursor.rest());
+    const auto* option = option_of(ahead.word());
+    if (option == options.end()) return without_quotes(without_options_behind(trimmed(cursor.rest())));
     skip_arguments(ahead, option->second);
     cursor = ahead;
   }

@@ -14,6 +14,20 @@ constexpr bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// Of ASCII letters; all other characters stay.
+constexpr char lower_case(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+inline std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = lower_case(c);
+  return result;
+}
+
 /// Without blanks at both ends.
 constexpr std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -80,6 +94,10 @@ class TextCursor {
     return true;
   }
 
+  bool at_end() {
+    skip_blanks();
+    return at_ == end_;
+  }
   bool at_word_end() const { return at_ == end_ || is_blank(*at_); }
   std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 

@@ -21,6 +21,9 @@ TEST(MtlRewrite, OnlyTexturePathsChange) {
       {"map_Kd -t 0.5 1 2\n", "map_Kd -t 0.5 1 <2>\n"},
       {"map_Kd -mm 0 1 01_-_x.JPG\n", "map_Kd -mm 0 1 <01_-_x.JPG>\n"},
       {"map_Kd -my texture-.png\n", "map_Kd <-my texture-.png>\n"},
+      {"map_Kd a b.png -s 1 1 1 -clamp on\n", "map_Kd <a b.png> -s 1 1 1 -clamp on\n"},
+      {"map_Kd -bm 1 \"a b.png\" -s 1\n", "map_Kd -bm 1 \"<a b.png>\" -s 1\n"},
+      {"map_Kd a -b c.png\n", "map_Kd <a -b c.png>\n"},
       {"refl -type sphere env.png\n", "refl -type sphere <env.png>\n"},
       {"disp d\ndecal e\nnorm f\nmap_Pr g\n", "disp <d>\ndecal <e>\nnorm <f>\nmap_Pr <g>\n"},
       {"map_aat on\nmap_Kd\nKd 1 1 1\n\n", "map_aat on\nmap_Kd\nKd 1 1 1\n\n"}};

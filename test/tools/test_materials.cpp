@@ -137,5 +137,46 @@ TEST_F(Materials, AMissingLibraryIsAWarning) {
   EXPECT_TRUE(contains(e.err, "warning: ") && contains(e.err, "gone.mtl")) << e.err;
 }
 
+TEST_F(Materials, FilesOutsideOfTheInputsDirectoryAreReadOnRequestOnly) {
+  const std::string png = "\x89PNG\r\n\x1a\n SECRET PIXELS";
+  file("in/a.obj", grid_obj(8, true, "mtllib ../secret/passwd own.mtl\n"));
+  file("in/own.mtl", "newmtl left\nmap_Kd ../secret/image.png\nnewmtl right\nmap_Kd ../secret/text.png\n");
+  file("secret/passwd", "TOP SECRET token=123\n");
+  file("secret/image.png", png);
+  file("secret/text.png", "TOP SECRET token=123\n");
+  for (const bool follow : {false, true}) {
+    Arguments more = {"--ratio", "0.5", "--report-html", "out/page.html", "--report", "out/report.json"};
+    if (follow) more.emplace_back("--follow-paths");
+    const Ended e = decimate("in/a.obj", "out/b.obj", more);
+    ASSERT_EQ(e.status, 0) << e.err;
+    for (const std::string& name : names("out"))
+      EXPECT_FALSE(contains(content("out/" + name), "TOP SECRET")) << name;
+    EXPECT_TRUE(contains(e.err, "warning: ") && contains(e.err, "../secret/passwd")) << e.err;
+    EXPECT_EQ(contains(e.err, "--follow-paths"), !follow) << e.err;
+    EXPECT_EQ(contains(content("out/page.html"), "data:image/png"), follow);
+    for (const auto& w : json("out/report.json")["warnings"])
+      EXPECT_TRUE(contains(e.err, w.get<std::string>())) << w;
+  }
+}
+
+TEST_F(Materials, WhatAPageCannotShowIsOneWarning) {
+  file("in/a.obj", grid_obj(8, true, "mtllib own.mtl\n"));
+  file("in/own.mtl",
+       "newmtl left\nmap_Kd C:\\tex\\Skin.png\nnewmtl right\nmap_Kd C:\\tex\\no.png -s 1 1 1\n");
+  file("in/skin.PNG", "\x89PNG\r\n\x1a\n");
+  fs::create_directories(directory / "out");
+  for (const std::string out : {"in/b.obj", "out/b.obj"}) {
+    const Ended e = decimate("in/a.obj", out, {"--ratio", "0.5", "--report-html", "p.html"});
+    ASSERT_EQ(e.status, 0) << e.err;
+    std::size_t warnings = 0;
+    for (std::size_t at = e.err.find("warning"); at != std::string::npos; at = e.err.find("warning", at + 1))
+      ++warnings;
+    EXPECT_EQ(warnings, 1U) << e.err;
+    EXPECT_TRUE(contains(e.err, "C:\\tex\\no.png")) << e.err;
+    EXPECT_TRUE(contains(content("p.html"), "data:image/png"));
+  }
+  EXPECT_EQ(fs::canonical(texture_of("out/own.mtl")), fs::canonical(directory / "in/skin.PNG"));
+}
+
 }  // namespace
 }  // namespace multimesh::tools::test

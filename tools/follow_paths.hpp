@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace multimesh::tools {
+
+inline void add_follow_paths(CLI::App& command, bool& on) {
+  command.add_flag("--follow-paths", on,
+                   "use material libraries and textures outside of the input's directory, too");
+}
+
+}  // namespace multimesh::tools
