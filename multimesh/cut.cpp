@@ -119,7 +119,15 @@ class Cutter {
           reversed_[d / 3] = reversed_[c / 3] != same_direction(c, d);
           queue.push_back(d / 3);
         }
+      turn_the_fewer(queue);
     }
+  }
+
+  void turn_the_fewer(const std::vector<Index>& component) {
+    const auto turned =
+        std::count_if(component.begin(), component.end(), [&](Index f) { return reversed_[f]; });
+    if (2 * static_cast<std::size_t>(turned) <= component.size()) return;
+    for (const Index f : component) reversed_[f] = !reversed_[f];
   }
 
   void part_where_no_orientation_agrees() {

@@ -30,8 +30,9 @@ void require_corners(const FacetList& facets, const std::function<std::string(st
 /// Facets made manifold: the same ones in the same order, with vertices split where it was necessary.
 struct Cut {
   FacetList facets;
-  std::vector<Index> source;   ///< per new vertex: the one that it is a copy of
-  std::vector<bool> reversed;  ///< per facet: whether its first two corners were exchanged
+  std::vector<Index> source;  ///< per new vertex: the one that it is a copy of
+  std::vector<bool>
+      reversed;  ///< per facet: whether its first two corners were exchanged; the fewer ones of a component
 };
 
 struct CutOptions {

@@ -79,6 +79,7 @@ void print(const CompareArguments& a, const SurfaceComparison& c) {
   std::cout << "\n";
   table.line("colours, PSNR in dB", t.color_psnr);
   table.line("outside of the texture", t.outside);
+  table.line("  of its own chart", t.outside_own);
 }
 
 /// The counts of one side as reports have them: of its meshes and of its triangles.

@@ -18,6 +18,7 @@ Json texture(const TextureComparison& t) {
   j["color_psnr_db"] = std::isfinite(t.color_psnr) ? Json(t.color_psnr) : Json();
   j["seam_crack"] = {{"rms", t.crack.rms}, {"max", t.crack.max}};
   j["outside"] = t.outside;
+  j["outside_own_chart"] = t.outside_own;
   return j;
 }
 

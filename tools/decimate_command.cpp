@@ -8,6 +8,8 @@
 #include <memory>
 
 #include "adapters/io/atomic_file.hpp"
+#include "multimesh/algorithms/texture_loss.hpp"
+#include "multimesh/algorithms/turn_reversed.hpp"
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #include "tools/comparison_json.hpp"
@@ -76,12 +78,17 @@ class Run {
   }
 
   void decimate();
+  void check_texture();
   void write_reports();
   void print() const;
 
  private:
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  bool wants_comparison() const { return a_.measure || !a_.html.empty(); }
+  bool wants_texture_check() const {
+    return (!a_.quiet || wants_report()) && may_have_lost_texture(options_, result_);
   }
   bool wants_report() const { return !a_.report.empty() || !a_.html.empty(); }
   void write_level(const TexturedSurface& surface, std::size_t level);
@@ -92,9 +99,9 @@ class Run {
   SurfaceFile file_;
   DecimateOptions options_;
   DecimateResult result_;
-  Json before_, after_, levels_ = Json::array();
+  Json before_, after_, levels_ = Json::array(), texture_loss_;
   double seconds_ = 0;
-  // For a page or a measurement only.
+  // For a page, a measurement or a check only.
   TexturedTriangles left_;
   std::vector<Index> source_;
 };
@@ -117,8 +124,19 @@ void Run::decimate() {
   if (show) std::cerr << "\r";
   write_surface(a_.output, surface, file_, file_.warnings);
   if (wants_report()) after_ = to_json(surface);
-  if (a_.measure || !a_.html.empty()) left_ = surface.triangles(source_);
+  if (wants_comparison() || wants_texture_check()) left_ = surface.triangles(source_);
   seconds_ = seconds();
+}
+
+/// Says if the texture was lost, and when.
+void Run::check_texture() {
+  if (!wants_texture_check()) return;
+  SurfaceFile input = read_surface(a_.input);
+  (void)turn_reversed(TexturedSurface(input.input), input.input);
+  const auto loss = find_texture_loss(input.input, surface_options(a_), options_, result_, left_);
+  if (!loss) return;
+  texture_loss_ = to_json(*loss);
+  file_.warnings.push_back(in_words(*loss, result_));
 }
 
 /// Against the input, which is read again: while the surface was decimated, its memory was better used.
@@ -147,7 +165,8 @@ void Run::write_reports() {
   j["after"] = after_;
   j["seconds"] = seconds_;
   j["warnings"] = file_.warnings;
-  if (a_.measure || !a_.html.empty()) measure(j);
+  if (!texture_loss_.is_null()) j["texture_loss"] = texture_loss_;
+  if (wants_comparison()) measure(j);
   j["warnings"] = file_.warnings;
   if (a_.report.empty()) return;
   io::AtomicFile file(a_.report);
@@ -187,6 +206,7 @@ void add_decimate_command(CLI::App& app, int& exit_code) {
     check_paths(*a);
     Run run(*a);
     run.decimate();
+    run.check_texture();
     run.write_reports();
     run.print();
     exit_code = done;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/decimate_report.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "multimesh/version.hpp"
 
@@ -21,6 +24,34 @@ const char* to_string(DecimateResult::Stop stop) {
 
 bool target_reached(const DecimateOptions& o, const DecimateResult& r) {
   return o.faces == 0 || r.stop == DecimateResult::Stop::faces;
+}
+
+Json to_json(const TextureLoss& loss) {
+  return {{"deviation", loss.at_end.deviation},
+          {"outside_own_chart", loss.at_end.outside},
+          {"bounds",
+           {{"deviation", tolerable_texture.deviation}, {"outside_own_chart", tolerable_texture.outside}}},
+          {"last_faces_within_bounds", loss.faces > 0 ? Json(loss.faces) : Json()}};
+}
+
+std::string in_words(const TextureLoss& loss, const DecimateResult& result) {
+  const auto text = [](double number, int digits) {
+    std::ostringstream out;
+    out << std::setprecision(digits) << number;
+    return out.str();
+  };
+  const auto percent = [&](double share) { return text(100 * share, 2) + " %"; };
+  const auto both = [&](const TextureQuality& q) {
+    return percent(q.deviation) + " of the diagonal (root mean square) and " + percent(q.outside) +
+           " of the surface outside of its charts";
+  };
+  const std::string last = loss.faces == 0
+                               ? "no number of faces on the way was"
+                               : std::to_string(loss.faces) + " faces is the last number on the way that was";
+  return "the texture is damaged: at " + std::to_string(result.faces_after) + " faces it deviates by " +
+         both(loss.at_end) + "; " + last + " within " + both(tolerable_texture) +
+         ". Stop there, or bound it, for instance by --max-texture-error " +
+         text(std::min(tolerable_texture.deviation, 2 * loss.at_end.deviation), 1);
 }
 
 namespace {

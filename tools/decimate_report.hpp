@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "multimesh/algorithms/texture_loss.hpp"
 #include "tools/decimate_arguments.hpp"
 #include "tools/surface_json.hpp"
 
@@ -12,5 +13,9 @@ bool target_reached(const DecimateOptions& o, const DecimateResult& r);
 
 /// What was asked and what was done; docs/decimation.md has the fields.
 Json decimation_json(const DecimateArguments& a, const DecimateOptions& o, const DecimateResult& r);
+
+/// Of the reports, and as a warning.
+Json to_json(const TextureLoss& loss);
+std::string in_words(const TextureLoss& loss, const DecimateResult& result);
 
 }  // namespace multimesh::tools

@@ -9,6 +9,7 @@
 #include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/simplex_writer.hpp"
 #include "adapters/io/used_points.hpp"
+#include "multimesh/coordinate_range.hpp"
 #include "multimesh/error.hpp"
 
 namespace multimesh::tools {
@@ -22,9 +23,22 @@ bool is_surface_format(const std::filesystem::path& path) {
   return extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off";
 }
 
+namespace {
+
+void check_size(const DomainFile& file) {
+  CoordinateRange range;
+  for (const auto& block : file.soup.simplices)
+    for (const std::uint32_t v : block.corners) range.add(v, file.soup.points[v].data());
+  if (const std::string problem = range.problem(); !problem.empty())
+    throw InputError(file.path.string() + ": " + problem);
+}
+
+}  // namespace
+
 DomainFile read_domain_file(const std::filesystem::path& path) {
   DomainFile file{path, io::read_simplices(path), {}};
   file.warnings = std::move(file.soup.warnings);
+  check_size(file);
   if (file.soup.notes.unused_points != 0) io::remove_unused_points(file.soup);
   return file;
 }

@@ -5,12 +5,15 @@
 #include <map>
 #include <numeric>
 
+#include "adapters/io/mtl.hpp"
+
 namespace multimesh::tools {
 
 HtmlMesh html_mesh(TexturedTriangles surface, const std::vector<Index>& source, const SurfaceFile& file) {
   HtmlMesh mesh{.caption = file.path.filename().string(), .surface = std::move(surface)};
-  const std::vector<Material> known =
+  std::vector<Material> known =
       read_materials(file.material_libraries, file.path, mesh.notes, file.follow_paths);
+  read_materials(io::mtl_text(file.materials), file.path, known, mesh.notes, file.follow_paths);
   std::map<std::string, Index> number;
   for (const Index t : source) {
     const std::string& name = file.section_of(t).material;

@@ -100,4 +100,9 @@ std::vector<Material> read_materials(const std::vector<std::string>& libraries, 
   return materials;
 }
 
+void read_materials(const std::string& mtl, const fs::path& file, std::vector<Material>& materials,
+                    std::vector<std::string>& notes, bool follow_paths) {
+  LibraryReader(file, file, follow_paths, materials, notes).read(mtl);
+}
+
 }  // namespace multimesh::tools

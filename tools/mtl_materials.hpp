@@ -23,4 +23,8 @@ std::vector<Material> read_materials(const std::vector<std::string>& libraries,
                                      const std::filesystem::path& obj, std::vector<std::string>& notes,
                                      bool follow_paths = false);
 
+/// The same of MTL text that belongs to a file itself.
+void read_materials(const std::string& mtl, const std::filesystem::path& file,
+                    std::vector<Material>& materials, std::vector<std::string>& notes, bool follow_paths);
+
 }  // namespace multimesh::tools

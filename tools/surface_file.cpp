@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "adapters/io/mesh_reader.hpp"
 #include "adapters/io/triangulate.hpp"
 #include "multimesh/algorithms/shading.hpp"
+#include "multimesh/algorithms/turn_reversed.hpp"
 #include "multimesh/error.hpp"
 
 namespace multimesh::tools {
@@ -122,6 +124,7 @@ SurfaceFile read_surface(const std::filesystem::path& path) {
   file.contents = contents(soup);
   file.warnings = std::move(soup.warnings);
   file.material_libraries = std::move(soup.material_libraries);
+  file.materials = std::move(soup.materials);
   Normals normal_corners;
   take_triangles(soup, file, normal_corners);
   file.contents.triangles = file.input.triangles.size();
@@ -139,9 +142,13 @@ SurfaceFile read_surface(const std::filesystem::path& path) {
 }
 
 TexturedSurface take_surface(SurfaceFile& file, const TexturedSurfaceOptions& options) {
-  TexturedSurface surface(file.input, options);
+  std::optional<TexturedSurface> surface(std::in_place, file.input, options);
+  if (const std::size_t turned = turn_reversed(*surface, file.input); turned > 0) {
+    surface.emplace(file.input, options);
+    add_count(file.warnings, turned, "triangles were turned round to agree with their neighbours");
+  }
   file.input = TexturedTriangles();
-  return surface;
+  return std::move(*surface);
 }
 
 }  // namespace multimesh::tools

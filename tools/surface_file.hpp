@@ -27,6 +27,7 @@ struct SurfaceFile {
   std::vector<io::PolygonSoup::Section> sections;  ///< one at least
   std::vector<std::uint32_t> section;              ///< per input triangle; empty: the first for all
   std::vector<std::string> material_libraries;
+  std::vector<io::PolygonSoup::Material> materials;  ///< that the file describes itself
   bool follow_paths = false;  ///< read materials and textures outside of the directory of the file, too
   std::vector<std::string> warnings;
 
@@ -39,7 +40,8 @@ struct SurfaceFile {
 /// name a vertex twice are left out; both with a warning. \throw InputError
 SurfaceFile read_surface(const std::filesystem::path& path);
 
-/// The tree of the file's triangles, which are given back to the system: `input` is empty then.
+/// The tree of the file's triangles, turned round where they do not agree with their neighbours (with a
+/// warning), which are given back to the system: `input` is empty then.
 TexturedSurface take_surface(SurfaceFile& file, const TexturedSurfaceOptions& options = {});
 
 /// Writes the surface as it is now, with the file's materials, groups and objects face by face; material

@@ -50,6 +50,8 @@ void write_surface(const std::filesystem::path& path, const TexturedSurface& sur
   }
   out.material_libraries =
       io::relocate_material_libraries(file.material_libraries, file.path, path, warnings, file.follow_paths);
+  if (!file.materials.empty())
+    out.material_libraries.push_back(io::write_material_library(file.materials, file.path, path, warnings));
   io::write_obj(path, out, {.header = {std::string("multimesh ") + version}});
 }
 

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <string>
 
+#include "adapters/embree/box_tree.hpp"
 #include "adapters/embree/pieces.hpp"
 #include "multimesh/error.hpp"
 
@@ -39,9 +41,13 @@ bool finite(const Point& p) {
 
 // Embree sees coordinates that are moved and scaled so that all triangles lie in [-1, 1]^3. There a float is
 // off by 6e-8 at most, as are Embree's own differences, and every bound below has room for many of these.
-// Of a point far outside, the error grows with its coordinates; beyond `far` all triangles are asked.
+// Of a point far outside, the error grows with its coordinates. Where it hides whole triangles, a tree in
+// double precision is asked, which takes twice the time: beyond `far`, and always if more than `most_tiny`
+// triangles are smaller than `tiny`, as when some others are far away from them.
 constexpr double float_error = 1e-6;
-constexpr double far = 1e6;
+constexpr double far = 100;
+constexpr double tiny = 20 * float_error;
+constexpr std::size_t most_tiny = 1000;
 
 struct Frame {
   Point center{};
@@ -64,6 +70,16 @@ struct Frame {
   double to(double x, std::size_t axis) const { return (x - center[axis]) * scale; }
 };
 
+/// Of the box around a triangle, its longest side.
+double size_of(const Triangle& t) {
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [least, most] = std::minmax({t[0][i], t[1][i], t[2][i]});
+    size = std::max(size, most - least);
+  }
+  return size;
+}
+
 /// A radius that certainly reaches as far as `distance` does, for a query whose largest coordinate is `size`.
 float reach(double distance, double size) {
   return static_cast<float>(distance * (1 + float_error) + (1 + size) * float_error);
@@ -78,8 +94,14 @@ struct TriangleTree::Data {
   Device device;
   Scene scene;
 
+  bool hides_triangles = false;  ///< the frame, in single precision
+  mutable std::once_flag boxes_made;
+  mutable std::optional<BoxTree> boxes;
+
   explicit Data(std::vector<Triangle> t) : triangles(std::move(t)), frame(triangles) {}
   void build();
+  /// Made when it is asked for first.
+  const BoxTree& in_double_precision() const;
 
   /// Calls visit(facet) for all facets that may be within the radius, which visit returns: it may shrink.
   /// Some are visited several times.
@@ -113,11 +135,20 @@ struct Boxes {
 
 }  // namespace
 
+const BoxTree& TriangleTree::Data::in_double_precision() const {
+  std::call_once(boxes_made, [this] { boxes.emplace(triangles); });
+  return *boxes;
+}
+
 void TriangleTree::Data::build() {
   if (triangles.size() >= no_index) throw InputError("too many triangles: at most 2^32 - 2");
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (!std::all_of(triangles[t].begin(), triangles[t].end(), finite))
       throw InputError("triangle " + std::to_string(t) + ": a coordinate is not finite");
+  const auto is_tiny = [&](const Triangle& t) { return size_of(t) * frame.scale < tiny; };
+  hides_triangles =
+      static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), is_tiny)) > most_tiny;
+  if (hides_triangles) return;
   const std::vector<Piece> all = pieces(triangles);
   facet_of.reserve(all.size());
   for (const Piece& p : all) facet_of.push_back(p.facet);
@@ -142,9 +173,12 @@ void TriangleTree::Data::traverse(const Point& p, double radius, Visit visit) co
   std::array<double, 3> at{};
   for (std::size_t i = 0; i < 3; ++i) at[i] = frame.to(p[i], i);
   const double size = std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
-  if (!(size < far)) {
-    for (Index f = 0; f < triangles.size(); ++f) visit(f);
-    return;
+  if (hides_triangles || !(size < far)) {
+    const auto squared = [&](Index facet) {
+      const double now = visit(facet);
+      return now * now;
+    };
+    return in_double_precision().visit_near(p, radius * radius, squared);
   }
   struct State {
     Visit& visit;

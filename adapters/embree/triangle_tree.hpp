@@ -21,7 +21,9 @@ struct Nearby {
 
 /// Finds closest points on a fixed set of triangles, in space or in the UV plane (z = 0), with or without
 /// area. The answers are exact in double precision; Embree's tree, in single precision, only leaves out what
-/// is certainly too far. Ties go to the lowest facet. The queries may be asked from many threads at once.
+/// is certainly too far. Where triangles are too small beside the extent of all for that, or a point too far
+/// away, a tree in double precision does: the time does not depend on the extent. Ties go to the lowest
+/// facet. The queries may be asked from many threads at once.
 class TriangleTree {
  public:
   /// Cost: O(n log n), on all cores; about 150 bytes per triangle. \throw InputError naming the triangle if a

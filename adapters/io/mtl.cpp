@@ -43,9 +43,7 @@ class Relocation {
     return library.text.empty() ? name : copy(library);
   }
 
- private:
-  bool is_in_place(const fs::path& library) const { return !library.empty() && directory_of(library) == to_; }
-
+  /// Writes a library of the input next to the output, unless it is there.
   std::string copy(const MaterialLibrary& library) {
     TextureFinder finder(library.path, input_, follow_paths_);
     const fs::path directory = directory_of(library.path);
@@ -64,6 +62,9 @@ class Relocation {
                           "; the material library is written as " + name);
     return name;
   }
+
+ private:
+  bool is_in_place(const fs::path& library) const { return !library.empty() && directory_of(library) == to_; }
 
   /// The name of a texture as the output sees it. The file that was found may have another one: one of the
   /// tiles that `<UDIM>` stands for, for instance.
@@ -113,6 +114,23 @@ std::vector<std::string> relocate_material_libraries(const std::vector<std::stri
   std::vector<std::string> names;
   for (const std::string& library : libraries) names.push_back(relocation.relocate(library));
   return names;
+}
+
+std::string mtl_text(const std::vector<PolygonSoup::Material>& materials) {
+  std::string text;
+  for (const PolygonSoup::Material& m : materials) {
+    text += "newmtl " + m.name + "\nKd 1 1 1\n";
+    if (!m.texture.empty()) text += "map_Kd " + m.texture + "\n";
+  }
+  return text;
+}
+
+std::string write_material_library(const std::vector<PolygonSoup::Material>& materials, const fs::path& input,
+                                   const fs::path& output, std::vector<std::string>& warnings) {
+  fs::path name = output.filename();
+  name.replace_extension(".mtl");
+  return Relocation(input, output, true, warnings)
+      .copy({input.parent_path() / name, mtl_text(materials), {}});
 }
 
 }  // namespace multimesh::io

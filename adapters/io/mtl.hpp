@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "adapters/io/polygon_soup.hpp"
+
 namespace multimesh::io {
 
 /// The `mtllib` names for an OBJ file written to `output` whose materials came with `input`.
@@ -26,5 +28,14 @@ std::vector<std::string> relocate_material_libraries(const std::vector<std::stri
                                                      const std::filesystem::path& output,
                                                      std::vector<std::string>& warnings,
                                                      bool follow_paths = false);
+
+/// MTL text for materials that a file describes itself.
+std::string mtl_text(const std::vector<PolygonSoup::Material>& materials);
+
+/// Writes them to a library beside an OBJ file that is written to `output`, named after it, as
+/// relocate_material_libraries() writes its copies. \return its name. \throw InputError
+std::string write_material_library(const std::vector<PolygonSoup::Material>& materials,
+                                   const std::filesystem::path& input, const std::filesystem::path& output,
+                                   std::vector<std::string>& warnings);
 
 }  // namespace multimesh::io

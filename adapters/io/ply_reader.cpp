@@ -15,6 +15,7 @@
 #include "adapters/io/ply_body.hpp"
 #include "adapters/io/ply_header.hpp"
 #include "adapters/io/soup_check.hpp"
+#include "adapters/io/texture_pages.hpp"
 
 namespace multimesh::io {
 namespace {
@@ -70,10 +71,18 @@ struct WedgeHash {
   }
 };
 
+/// The number of a face's texture image.
+bool is_texture_number(const PlyProperty& p) {
+  return !p.is_list && (p.name == "texnumber" || p.name == "texnum");
+}
+
 class PlyParser {
  public:
   PlyParser(std::string_view bytes, const std::string& file)
-      : file_(file), header_(read_ply_header(bytes, file)), body_(bytes, header_, file) {}
+      : file_(file),
+        header_(read_ply_header(bytes, file)),
+        body_(bytes, header_, file),
+        pages_(header_.textures) {}
 
   PolygonSoup parse() {
     for (const PlyElement& element : header_.elements) {
@@ -127,8 +136,13 @@ class PlyParser {
     if (std::ranges::none_of(element.properties, is_index_list))
       fail_at(file_, element.line, "the faces have no list vertex_indices; export the mesh with faces");
     for (const auto& p : element.properties)
-      if (!is_index_list(p) && !is_texcoord_list(p)) left_out("face " + p.name);
-    if (element.count != 0) soup_.sections.emplace_back();
+      if (!is_index_list(p) && !is_texcoord_list(p) && !is_texture_number(p)) left_out("face " + p.name);
+    const bool numbered = std::ranges::any_of(element.properties, is_texture_number);
+    has_pages_ = numbered || !header_.textures.empty();
+    if (!numbered && header_.textures.size() > 1)
+      warn("the faces have no texnumber; the first of " + std::to_string(header_.textures.size()) +
+           " texture images is taken for all");
+    page_ = has_pages_ ? 0 : -1;
     for (std::size_t row = 0; row < element.count; ++row) {
       body_.begin_row(element, row);
       for (const auto& p : element.properties) {
@@ -136,6 +150,8 @@ class PlyParser {
           list(p, indices_);
         else if (is_texcoord_list(p))
           list(p, texcoords_);
+        else if (is_texture_number(p))
+          page_ = page(body_.value(p.type));
         else
           skip(p);
       }
@@ -162,8 +178,14 @@ class PlyParser {
     for (std::size_t i = 0; i < indices_.size(); ++i) soup_.corners.push_back(corner(i));
     soup_.face_begin.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
     soup_.face_line.push_back(static_cast<std::uint32_t>(body_.line()));
-    soup_.face_section.push_back(0);
+    soup_.face_section.push_back(pages_.section(page_, soup_));
     texcoords_.clear();
+  }
+
+  std::int64_t page(double number) {
+    if (number != std::floor(number) || std::abs(number) > std::numeric_limits<std::int32_t>::max())
+      body_.fail("the texture number of the face is not a whole number; correct the face");
+    return static_cast<std::int64_t>(number);
   }
 
   PolygonSoup::Corner corner(std::size_t i) {
@@ -213,7 +235,7 @@ class PlyParser {
   void finish() {
     if (soup_.face_count() == 0) fail_file(file_, "the file has no face; give a surface");
     if (!left_out_.empty()) warn("left out: " + left_out_);
-    for (const std::string& name : header_.textures) warn("the texture file name '" + name + "' is left out");
+    if (has_pages_) part_texcoords_by_section(soup_);
     if (const std::size_t rest = body_.unread(); rest != 0)
       warn(std::to_string(rest) + " bytes after the last element are left out");
   }
@@ -224,6 +246,9 @@ class PlyParser {
   std::string file_;
   PlyHeader header_;
   PlyBody body_;
+  TexturePages pages_;
+  std::int64_t page_ = -1;
+  bool has_pages_ = false;
   bool has_color_ = false;
   bool vertex_texcoords_ = false;
   std::vector<double> indices_, texcoords_;

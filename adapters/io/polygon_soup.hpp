@@ -50,6 +50,12 @@ struct PolygonSoup {
     friend auto operator<=>(const Section&, const Section&) = default;
   };
 
+  /// A material that the file describes itself, not in a library.
+  struct Material {
+    std::string name;
+    std::string texture;  ///< image, as written in the file; empty: none
+  };
+
   std::vector<std::array<double, 3>> positions;
   std::vector<std::array<double, 2>> texcoords;
   std::vector<std::array<double, 3>> normals;
@@ -66,6 +72,7 @@ struct PolygonSoup {
   std::vector<std::uint32_t> line_begin = {0};  ///< \#L+1 offsets into line_corners
 
   std::vector<std::string> material_libraries;  ///< as written in the file, each once
+  std::vector<Material> materials;              ///< that faces name by a number
   SoupNotes notes;
   std::vector<std::string> warnings;  ///< one sentence each, naming file and line or element
 

@@ -8,6 +8,7 @@
 
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/repeated_faces.hpp"
+#include "multimesh/coordinate_range.hpp"
 
 namespace multimesh::io {
 namespace {
@@ -38,6 +39,17 @@ class FaceCheck {
       warn(first_missing_normal_, "the face names a normal beyond the last one; " +
                                       std::to_string(soup_.notes.missing_normals) +
                                       " corners of the file have none now");
+  }
+
+  /// Only points that faces use count.
+  void size() const {
+    CoordinateRange range;
+    for (const Corner& c : soup_.corners) {
+      const auto v = static_cast<std::size_t>(c.v);
+      range.add(v, soup_.positions[v].data());
+    }
+    const std::string problem = range.problem(static_cast<std::size_t>(first_index_));
+    if (!problem.empty()) fail_file(file_, problem);
   }
 
   /// Removes repeated corners; a collapsed face keeps its place, with no corners.
@@ -198,6 +210,7 @@ class FaceCheck {
 void check_faces(PolygonSoup& soup, std::string_view file, int first_index, const ReadOptions& options) {
   FaceCheck check(soup, file, first_index);
   check.indices();
+  check.size();
   check.corners();
   check.refuse_collapsed(options.max_collapsed_share);
   check.warn_repeated_corners();

@@ -38,6 +38,7 @@ void check(const TexturedTriangles& s, const std::string& name) {
           (c.texcoord >= 0 && static_cast<std::size_t>(c.texcoord) >= s.texcoords.size()))
         throw InputError("the " + name + " surface, triangle " + std::to_string(t) +
                          ": an index is out of range");
+  check_size(s);
 }
 
 double root_mean_square(const std::vector<double>& x) {
@@ -87,8 +88,9 @@ class Comparison {
                             const std::vector<Nearby>& at_vertices) const;
   void compare_textures();
   double color_psnr(const std::vector<Index>& textured, const std::vector<TextureMap::Place>& places) const;
-  SeamCrack seam_crack(const TextureMap& map, const EdgeSides& sides) const;
-  void vertex_deviation(const TextureMap& map);
+  SeamCrack seam_crack(const TextureMap& map, const ChartPairs& charts, const EdgeSides& sides) const;
+  void vertex_deviation(const TextureMap& map, const ChartPairs& charts);
+  void compare_samples(const TextureMap& map, const ChartPairs& charts);
 
   double relative(double length) const { return length / box_.diagonal; }
   double relative(const Nearby& n) const { return relative(std::sqrt(n.squared_distance)); }
@@ -156,26 +158,30 @@ double Comparison::color_psnr(const std::vector<Index>& textured,
   return psnr > rounding ? std::numeric_limits<double>::infinity() : psnr;
 }
 
-SeamCrack Comparison::seam_crack(const TextureMap& map, const EdgeSides& sides) const {
+SeamCrack Comparison::seam_crack(const TextureMap& map, const ChartPairs& charts,
+                                 const EdgeSides& sides) const {
   const SeamPoints points = sample_seams(seam_edges(other_, sides), options_.samples);
-  const auto left = painted(map, points.left, options_.threads);
-  const auto right = painted(map, points.right, options_.threads);
+  auto left = painted(map, points.left, options_.threads);
+  auto right = painted(map, points.right, options_.threads);
+  (void)charts.move_into_charts(map, points.left, left, options_.threads);
+  (void)charts.move_into_charts(map, points.right, right, options_.threads);
   std::vector<double> crack;
   for (std::size_t i = 0; i < left.size(); ++i)
     crack.push_back(relative((left[i].position - right[i].position).norm()));
   return {root_mean_square(crack), maximum(crack)};
 }
 
-void Comparison::vertex_deviation(const TextureMap& map) {
+void Comparison::vertex_deviation(const TextureMap& map, const ChartPairs& charts) {
   std::vector<TexturedPoint> corners;
   std::vector<std::int32_t> at;
-  for (const Corners& t : other_.triangles)
-    for (const auto& c : t) {
+  for (Index t = 0; t < other_.triangles.size(); ++t)
+    for (const auto& c : other_.triangles[t]) {
       if (c.texcoord < 0) continue;
-      corners.push_back({position(other_, c), texcoord(other_, c)});
+      corners.push_back({position(other_, c), texcoord(other_, c), t});
       at.push_back(c.position);
     }
-  const auto places = painted(map, corners, options_.threads);
+  auto places = painted(map, corners, options_.threads);
+  (void)charts.move_into_charts(map, corners, places, options_.threads);
   out_.vertex_deviation.assign(other_.positions.size(), 0);
   for (std::size_t i = 0; i < at.size(); ++i) {
     double& d = out_.vertex_deviation[static_cast<std::size_t>(at[i])];
@@ -185,7 +191,8 @@ void Comparison::vertex_deviation(const TextureMap& map) {
 
 void Comparison::compare_textures() {
   const EdgeSides original_sides(original_), other_sides(other_);
-  const auto original_orientation = sum_over_charts(charts(original_, original_sides), uv_areas(original_));
+  const auto original_chart = charts(original_, original_sides);
+  const auto original_orientation = sum_over_charts(original_chart, uv_areas(original_));
   const auto other_chart = charts(other_, other_sides);
   auto other_orientation = sum_over_charts(other_chart, uv_areas(other_));
   if (!has_texture(original_)) {
@@ -196,31 +203,31 @@ void Comparison::compare_textures() {
   const double tolerance = 1e-12 * map.diagonal() * map.diagonal();
   set_flips(out_.original, count_flips(original_, original_orientation, tolerance));
   if (!has_texture(other_)) return;
-  other_orientation =
-      orientation_by_original(original_orientation, other_, other_chart, map, options_.threads);
+  const PaintedCentroids centroids = painted_centroids(other_, map, options_.threads);
+  other_orientation = orientation_by_original(original_orientation, other_, other_chart, centroids);
   set_flips(out_.other, count_flips(other_, other_orientation, tolerance));
+  const ChartPairs pairs(original_chart, other_, other_chart, centroids, box_.diagonal);
+  compare_samples(map, pairs);
+  out_.texture->crack = seam_crack(map, pairs, other_sides);
+  if (options_.per_vertex) vertex_deviation(map, pairs);
+}
 
+void Comparison::compare_samples(const TextureMap& map, const ChartPairs& charts) {
   std::vector<Index> textured;  // of the samples
-  std::vector<TexturedPoint> at;
-  for (Index i = 0; i < samples_.size(); ++i) {
-    const Corners& t = other_.triangles[samples_[i].triangle];
-    if (!is_textured(t)) continue;
-    textured.push_back(i);
-    const Vec3d uv = vec(spatial::at(in_texture(other_, t), samples_[i].barycentric));
-    at.push_back({points_[i], {uv[0], uv[1]}});
-  }
-  const auto places = painted(map, at, options_.threads);
+  for (Index i = 0; i < samples_.size(); ++i)
+    if (is_textured(other_.triangles[samples_[i].triangle])) textured.push_back(i);
+  const std::vector<TexturedPoint> at = textured_points(other_, samples_);
+  auto places = painted(map, at, options_.threads);
   TextureComparison& result = out_.texture.emplace();
-  std::vector<double> deviation;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    deviation.push_back(relative((places[i].position - at[i].position).norm()));
-    result.outside += places[i].uv_distance > map.rounding();
-  }
-  result.outside /= std::max(1.0, static_cast<double>(at.size()));
-  result.deviation = summary(std::move(deviation));
+  for (const TextureMap::Place& place : places) result.outside += place.uv_distance > map.rounding();
+  const double n = std::max(1.0, static_cast<double>(at.size()));
+  result.outside /= n;
   result.color_psnr = color_psnr(textured, places);
-  result.crack = seam_crack(map, other_sides);
-  if (options_.per_vertex) vertex_deviation(map);
+  result.outside_own = static_cast<double>(charts.move_into_charts(map, at, places, options_.threads)) / n;
+  std::vector<double> deviation;
+  for (std::size_t i = 0; i < at.size(); ++i)
+    deviation.push_back(relative((places[i].position - at[i].position).norm()));
+  result.deviation = summary(std::move(deviation));
 }
 
 SurfaceComparison Comparison::run() {

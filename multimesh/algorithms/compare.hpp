@@ -33,7 +33,9 @@ struct OneWayDistance {
 /// |p - X(uv(p))| over the samples p, X the original's map from its texture to space: how far from p on the
 /// original is what is painted at p (texture deviation of Cohen, Olano & Manocha 1998). Where charts of the
 /// original overlap, or lie closer than 2e-5 of the diagonal of its texture, the place nearest to p counts;
-/// outside of the texture, the nearest point of it.
+/// outside of the texture, the nearest point of it. A point belongs to a chart of the original: where another
+/// one is painted at p, the own one's point that is nearest in the texture counts as well, and the nearer to
+/// p.
 struct TextureDeviation {
   double rms = 0, mean = 0, p95 = 0, max = 0;
 };
@@ -51,7 +53,8 @@ struct TextureComparison {
   /// 150 dB, where differences are roundings.
   double color_psnr = 0;
   SeamCrack crack;
-  double outside = 0;  ///< share of the textured samples farther than 1e-6 UV diagonals from the texture
+  double outside = 0;      ///< share of the textured samples farther than 1e-6 UV diagonals from the texture
+  double outside_own = 0;  ///< the same, from the chart that each belongs to
 };
 
 /// One of the two surfaces by itself.

@@ -145,8 +145,11 @@ void Decimator::add_tests() {
   if (is_set(options_.max_aspect_ratio))
     tests_.push_back(std::make_unique<AspectRatio>(options_.max_aspect_ratio));
   n_bounds_ = tests_.size();
-  for (std::size_t k = 0; k < reader_.n_sets(); ++k)
-    tests_.push_back(std::make_unique<TextureOrientation>(surface_, reader_, k));
+  for (std::size_t k = 0; k < reader_.n_sets(); ++k) {
+    auto test = std::make_unique<TextureOrientation>(surface_, reader_, k);
+    if (k == 0) result_.charts = test->charts();
+    tests_.push_back(std::move(test));
+  }
   tests_.push_back(std::make_unique<NormalTurn>(options_.max_normal_turn));
 }
 

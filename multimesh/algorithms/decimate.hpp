@@ -26,9 +26,9 @@ struct DecimateOptions {
   std::function<void(std::size_t level)> on_level = {};
 
   // --- bounds; lengths are relative to the diagonal of the bounding box
-  /// No point of the surface as it was given to this call, insides of triangles included, is farther than this
-  /// from the surface that is left, and no vertex of that is farther from the surface as it was. Guaranteed;
-  /// in doubt, a collapse is refused.
+  /// No point of the surface as it was given to this call, insides of triangles included, is farther than
+  /// this from the surface that is left, and no vertex of that is farther from the surface as it was.
+  /// Guaranteed; in doubt, a collapse is refused.
   double max_error = std::numeric_limits<double>::infinity();
   /// Each vertex of the texture is painted at most this far from its place. Guaranteed for vertices; points
   /// inside triangles are not looked at.
@@ -82,16 +82,17 @@ struct DecimateResult {
   std::vector<RefusalCount> refused;  ///< over the whole run, most frequent first
   /// If the target was not reached: the edges that are left, by what keeps each from being collapsed.
   std::vector<RefusalCount> blocking;
-  double seconds = 0;  ///< of the collapse loop, by the wall clock
+  double seconds = 0;      ///< of the collapse loop, by the wall clock
+  std::size_t charts = 0;  ///< of the first texture
   /// Of the collapses done: root mean square deviation over the triangles that one changed, relative to the
   /// bounding-box diagonal. An estimate per collapse, no bound.
   double max_cost = 0;
 };
 
-/// Collapses edges of a textured surface, cheapest first. Kept: the topology of the surface and of each chart,
-/// the graph of the seams, borders and sharp curves, and every triangle's orientation in the texture and
-/// (nearly) in space. Deterministic. Cost: O(n log n).
-/// \throw InputError if no target is given or an option is out of range
+/// Collapses edges of a textured surface, cheapest first. Kept: the topology of the surface and of each
+/// chart, the graph of the seams, borders and sharp curves, and every triangle's orientation in the texture
+/// and (nearly) in space. Deterministic. Cost: O(n log n). \throw InputError if no target is given or an
+/// option is out of range
 DecimateResult decimate(TexturedSurface& surface, const DecimateOptions& options);
 
 }  // namespace multimesh

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/textured_triangles.hpp"
 
+#include <cmath>
 #include <string>
 
+#include "multimesh/coordinate_range.hpp"
 #include "multimesh/error.hpp"
 
 namespace multimesh {
@@ -42,7 +44,31 @@ void check_texcoords(const TexturedTriangles& input, std::size_t set, std::size_
                      " has texture coordinates on some corners only; give all three or none");
 }
 
+void check_texcoord_size(const TexturedTriangles& input, std::size_t set, std::size_t t) {
+  constexpr double most = CoordinateRange::largest_coordinate;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int32_t vt = input.texcoord(set, t, i);
+    if (vt < 0) continue;
+    const OpenMesh::Vec2d& p = input.texcoords_of(set)[static_cast<std::size_t>(vt)];
+    if (!(std::abs(p[0]) <= most && std::abs(p[1]) <= most))
+      throw InputError("triangle " + std::to_string(t) +
+                       " (from 0) has a texture coordinate that is too large, or not a number; correct it");
+  }
+}
+
 }  // namespace
+
+void check_size(const TexturedTriangles& input) {
+  CoordinateRange range;
+  for (std::size_t t = 0; t < input.triangles.size(); ++t) {
+    for (const auto& c : input.triangles[t]) {
+      const auto i = static_cast<std::size_t>(c.position);
+      range.add(i, input.positions[i].data());
+    }
+    for (std::size_t set = 0; set < input.uv_sets(); ++set) check_texcoord_size(input, set, t);
+  }
+  if (const std::string problem = range.problem(); !problem.empty()) throw InputError(problem);
+}
 
 void check(const TexturedTriangles& input) {
   check_lengths(input);
@@ -52,6 +78,7 @@ void check(const TexturedTriangles& input) {
         throw InputError("triangle " + std::to_string(t) + ": no position " + std::to_string(c.position));
     for (std::size_t set = 0; set < input.uv_sets(); ++set) check_texcoords(input, set, t);
   }
+  check_size(input);
 }
 
 }  // namespace multimesh

@@ -42,8 +42,12 @@ struct TexturedTriangles {
   }
 };
 
+/// \throw InputError for coordinates that are not numbers, or of a size that cannot be computed with (see
+/// CoordinateRange). \pre indices are in range
+void check_size(const TexturedTriangles& input);
+
 /// \throw InputError naming the triangle for indices out of range or texture coordinates on some corners
-/// only, and for lists whose lengths do not fit
+/// only, for lists whose lengths do not fit, and as check_size()
 void check(const TexturedTriangles& input);
 
 }  // namespace multimesh

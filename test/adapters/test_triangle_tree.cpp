@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <random>
 #include <thread>
 
@@ -243,6 +244,51 @@ TEST(TriangleTree, AnswersManyThreads) {
   for (auto& t : threads) t.join();
   for (std::size_t i = 0; i < asked.size(); ++i)
     for (const auto& answer : answers) expect_equal(answer[i], answers[0][i]);
+}
+
+/// A fine soup with some triangles far away, once and at several distances: where the tree changes its ways.
+std::vector<Triangle> with_far_ones(std::size_t n, double distance, double step) {
+  std::vector<Triangle> all = soup(n, 5, 0.05, {-1, -1, -1}, {1, 1, 1});
+  for (double d = distance; d < 1e30; d *= step) all.push_back({{{d, 0, 0}, {d, d / 10, 0}, {d, 0, 1}}});
+  return all;
+}
+
+TEST(TriangleTree, AgreesWithBruteForceWhateverTheExtent) {
+  for (const std::size_t n : {300U, 3000U})
+    for (const double distance : {1e2, 1e4, 1e6, 1e12})
+      for (const double step : {1e2, 1e30}) {
+        const auto all = with_far_ones(n, distance, step);
+        std::vector<Point> asked = points(20, 6, {-1, -1, -1}, {1, 1, 1});
+        for (const double d : {10.0, distance / 2, distance, 3 * distance})
+          asked.push_back({d, d / 100, 0.3});
+        expect_as_brute_force(all, asked);
+        expect_as_brute_force(soup(n, 7, 0.05, {-1, -1, -1}, {1, 1, 1}), asked);
+      }
+}
+
+/// CPU seconds of some queries, the best of three.
+double time_of(const TriangleTree& tree, const std::vector<Point>& asked) {
+  double best = infinity;
+  for (int k = 0; k < 3; ++k) {
+    const std::clock_t begin = std::clock();
+    for (const Point& p : asked) EXPECT_TRUE(tree.nearest(p));
+    best = std::min(best, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+TEST(TriangleTree, ItsTimeDoesNotDependOnTheExtent) {
+  const std::vector<Point> near = points(2000, 8, {-1, -1, -1}, {1, 1, 1});
+  std::vector<Point> far = near;
+  for (Point& p : far) p[0] += 1e7;
+  const TriangleTree alone(soup(50'000, 5, 0.01, {-1, -1, -1}, {1, 1, 1}));
+  const double normal = time_of(alone, near) + 1e-4;
+  EXPECT_LT(time_of(alone, far), 20 * normal);
+  for (const double distance : {1e3, 1e6, 1e9, 1e20}) {
+    std::vector<Triangle> all = alone.triangles();
+    all.push_back({{{distance, 0, 0}, {distance, 1, 0}, {distance, 0, 1}}});
+    EXPECT_LT(time_of(TriangleTree(all), near), 20 * normal) << distance;  // all, one by one: 500 times
+  }
 }
 
 }  // namespace

@@ -41,6 +41,26 @@ TexturedTriangles mapped(TexturedTriangles s, const F& in_space, const G& in_tex
 class DecimateScale : public ::testing::TestWithParam<MadeSurface> {
  protected:
   const TexturedTriangles& input() const { return GetParam().input; }
+
+  void expect_no_bit_changed(double scale) const {
+    SCOPED_TRACE(scale);
+    const auto in_space = [scale](const Vec3d& p) { return Vec3d(-p[0], -p[1], p[2]) * scale; };
+    const auto in_texture = [](const Vec2d& p) { return Vec2d(-p[0], -p[1]) / 128.0; };
+    DecimateOptions bounded;
+    bounded.max_normal_deviation = 0.5;
+    bounded.max_aspect_ratio = 15;
+    for (const DecimateOptions& options : {DecimateOptions{}, bounded}) {
+      const Left plain = decimated(input(), 0.1, options);
+      const Left scaled = decimated(mapped(input(), in_space, in_texture), 0.1, options);
+      EXPECT_GT(plain.result.collapsed, 0U);
+      EXPECT_EQ(scaled.source, plain.source);
+      EXPECT_EQ(scaled.result.tried, plain.result.tried);
+      EXPECT_EQ(scaled.result.max_cost, plain.result.max_cost);
+      const TexturedTriangles expected = mapped(plain.surface, in_space, in_texture);
+      EXPECT_EQ(scaled.surface.positions, expected.positions);
+      EXPECT_EQ(scaled.surface.texcoords, expected.texcoords);
+    }
+  }
 };
 
 std::vector<MadeSurface> surfaces() {
@@ -52,21 +72,15 @@ std::vector<MadeSurface> surfaces() {
 
 // A scale by a power of two and half a turn are exact in floating point, and so must be all that follows.
 TEST_P(DecimateScale, PowersOfTwoChangeNoBit) {
-  const auto in_space = [](const Vec3d& p) { return Vec3d(-p[0], -p[1], p[2]) * 1024.0; };
-  const auto in_texture = [](const Vec2d& p) { return Vec2d(-p[0], -p[1]) / 128.0; };
-  DecimateOptions bounded;
-  bounded.max_normal_deviation = 0.5;
-  bounded.max_aspect_ratio = 15;
-  for (const DecimateOptions& options : {DecimateOptions{}, bounded}) {
-    const Left plain = decimated(input(), 0.1, options);
-    const Left scaled = decimated(mapped(input(), in_space, in_texture), 0.1, options);
-    EXPECT_GT(plain.result.collapsed, 0U);
-    EXPECT_EQ(scaled.source, plain.source);
-    EXPECT_EQ(scaled.result.tried, plain.result.tried);
-    EXPECT_EQ(scaled.result.max_cost, plain.result.max_cost);
-    const TexturedTriangles expected = mapped(plain.surface, in_space, in_texture);
-    EXPECT_EQ(scaled.surface.positions, expected.positions);
-    EXPECT_EQ(scaled.surface.texcoords, expected.texcoords);
+  for (const double scale : {1024.0, 0x1p-30, 0x1p60, 0x1p-110, 0x1p110}) expect_no_bit_changed(scale);
+}
+
+TEST_P(DecimateScale, OfTheTextureAlone) {
+  const auto same = [](const Vec3d& p) { return p; };
+  for (const double scale : {0x1p-100, 0x1p100}) {
+    const auto in_texture = [scale](const Vec2d& p) { return p * scale; };
+    const Left plain = decimated(input(), 0.1), scaled = decimated(mapped(input(), same, in_texture), 0.1);
+    EXPECT_EQ(scaled.source, plain.source) << scale;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <set>
 
 #include "adapters/io/ply_reader.hpp"
@@ -183,6 +184,67 @@ TEST_F(PlyReader, SculptHasAWedgeTexcoordOnEveryCorner) {
     wedges.emplace(c.v, soup.texcoords[static_cast<std::size_t>(c.vt)]);
   }
   EXPECT_EQ(wedges.size(), soup.texcoords.size());
+}
+
+constexpr const char* two_pages =
+    "ply\nformat ascii 1.0\ncomment TextureFile tex/page 0.png\ncomment TextureFile page1.png\n"
+    "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n%s"
+    "element face 3\nproperty list uchar int vertex_indices\n%sproperty int texnumber\nend_header\n%s";
+
+std::string two_pages_with(const std::string& vertex, const std::string& face, const std::string& body) {
+  std::string text = two_pages;
+  for (const std::string& part : {vertex, face, body}) text.replace(text.find("%s"), 2, part);
+  return text;
+}
+
+/// Each material once for each face, and no texture coordinate in two of them.
+void expect_pages(const PolygonSoup& s) {
+  ASSERT_EQ(s.face_count(), 3U);
+  ASSERT_EQ(s.materials.size(), 2U);
+  EXPECT_EQ(s.materials[0].name, "page_0");
+  EXPECT_EQ(s.materials[0].texture, "tex/page 0.png");
+  EXPECT_EQ(s.materials[1].name, "page1");
+  EXPECT_TRUE(s.warnings.empty()) << s.warnings[0];
+  std::map<std::int32_t, std::string> material;
+  for (std::size_t f = 0; f < 3; ++f) {
+    EXPECT_EQ(s.sections[s.face_section[f]].material, f == 1 ? "page1" : "page_0");
+    for (const auto& c : s.face(f))
+      EXPECT_EQ(material.try_emplace(c.vt, s.sections[s.face_section[f]].material).first->second,
+                s.sections[s.face_section[f]].material);
+  }
+}
+
+TEST_F(PlyReader, TexturePagesAreMaterialsThatShareNoTextureCoordinate) {
+  expect_pages(read_ply(file("corner.ply", two_pages_with("", "property list uchar float texcoord\n",
+                                                          "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 2 0\n"
+                                                          "3 0 1 2 6 0 0 1 0 1 1 0\n"
+                                                          "3 0 2 3 6 0 0 1 1 0 1 1\n"
+                                                          "3 3 2 4 6 0 1 1 1 0 2 0\n"))));
+  expect_pages(
+      read_ply(file("vertex.ply", two_pages_with("property float s\nproperty float t\n", "",
+                                                 "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n0 2 0 0 2\n"
+                                                 "3 0 1 2 0\n3 0 2 3 1\n3 3 2 4 0\n"))));
+}
+
+TEST_F(PlyReader, TextureNumbersWithoutImagesAreMaterialsToo) {
+  std::string text = two_pages_with("", "property list uchar float texcoord\n",
+                                    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 2 0\n3 0 1 2 6 0 0 1 0 1 1 -1\n"
+                                    "3 0 2 3 6 0 0 1 1 0 1 7\n3 3 2 4 6 0 1 1 1 0 2 1\n");
+  const PolygonSoup s = read_ply(file("a.ply", text));
+  std::vector<std::string> found;
+  for (const auto section : s.face_section) found.push_back(s.sections[section].material);
+  EXPECT_EQ(found, (std::vector<std::string>{"", "page_7", "page1"}));
+  EXPECT_EQ(s.materials[0].texture, "");
+}
+
+TEST_F(PlyReader, OneTextureImageIsOfAllFaces) {
+  const PolygonSoup s = read_ply(
+      file("a.ply",
+           "ply\nformat ascii 1.0\ncomment TextureFile a.b.png\nelement vertex 3\nproperty float x\n"
+           "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+           "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
+  ASSERT_EQ(s.materials.size(), 1U);
+  EXPECT_EQ(s.sections[s.face_section[0]].material, "a.b");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Materials and groups face by face, material libraries and textures seen from the output.
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -144,6 +145,7 @@ TEST_F(Materials, FilesOutsideOfTheInputsDirectoryAreReadOnRequestOnly) {
   file("secret/passwd", "TOP SECRET token=123\n");
   file("secret/image.png", png);
   file("secret/text.png", "TOP SECRET token=123\n");
+  fs::create_directory(directory / "out");
   for (const bool follow : {false, true}) {
     Arguments more = {"--ratio", "0.5", "--report-html", "out/page.html", "--report", "out/report.json"};
     if (follow) more.emplace_back("--follow-paths");
@@ -176,6 +178,54 @@ TEST_F(Materials, WhatAPageCannotShowIsOneWarning) {
     EXPECT_TRUE(contains(content("p.html"), "data:image/png"));
   }
   EXPECT_EQ(fs::canonical(texture_of("out/own.mtl")), fs::canonical(directory / "in/skin.PNG"));
+}
+
+/// The grid as PLY, with a texture image for each half; corners on their border have equal texture
+/// coordinates.
+std::string paged_grid_ply(int n) {
+  std::ostringstream out;
+  out << "ply\nformat ascii 1.0\ncomment TextureFile left.png\ncomment TextureFile right.png\nelement vertex "
+      << (n + 1) * (n + 1) << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
+      << 2 * n * n
+      << "\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nproperty int "
+         "texnumber\n"
+         "end_header\n";
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) out << i << ' ' << j << " 0\n";
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (const auto& t : {std::array{0, 0, 1, 0, 1, 1}, std::array{0, 0, 1, 1, 0, 1}}) {
+        out << 3;
+        for (std::size_t c = 0; c < 6; c += 2) out << ' ' << (i + t[c]) * (n + 1) + j + t[c + 1];
+        out << " 6";
+        for (std::size_t c = 0; c < 6; ++c) out << ' ' << (c % 2 == 0 ? i + t[c] : j + t[c]) / double(n);
+        out << ' ' << (2 * i >= n) << '\n';
+      }
+  return out.str();
+}
+
+TEST_F(Materials, TexturePagesOfPlyFilesAreMaterials) {
+  file("in/a.ply", paged_grid_ply(30));
+  file("in/left.png", "\x89PNG\r\n\x1a\n");
+  file("in/right.png", "\x89PNG\r\n\x1a\n");
+  fs::create_directories(directory / "out");
+  for (const std::string out : {"in", "out"})
+    for (const Arguments& more :
+         {Arguments{"--ratio", "0.1"}, Arguments{"--ratio", "0.5", "--no-preserve-materials"}}) {
+      const Ended e = decimate("in/a.ply", out + "/b.obj", more);
+      ASSERT_EQ(e.status, 0) << e.err;
+      EXPECT_FALSE(contains(e.err, "warning")) << e.err;
+      const PolygonSoup s = read(out + "/b.obj");
+      const auto found = parts(s);
+      ASSERT_EQ(found.size(), 2U);
+      EXPECT_NEAR(found.at("left").high, 15, 1e-6) << "no face crosses the border of the pages";
+      EXPECT_NEAR(found.at("right").low, 15, 1e-6);
+      EXPECT_NEAR(found.at("left").area, 450, 1e-6);
+      ASSERT_EQ(s.material_libraries, std::vector<std::string>{"b.mtl"});
+      EXPECT_EQ(fs::canonical(texture_of(out + "/b.mtl")), fs::canonical(directory / "in/left.png"));
+    }
+  ASSERT_EQ(decimate("in/a.ply", "out/b.obj", {"--ratio", "0.5", "--report-html", "p.html"}).status, 0);
+  EXPECT_TRUE(contains(content("p.html"), "right.png"));
 }
 
 }  // namespace

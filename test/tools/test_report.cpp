@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report of a decimation: valid JSON, and true.
+#include <cmath>
+#include <sstream>
+
 #include "program.hpp"
 
 namespace multimesh::tools::test {
@@ -116,6 +119,67 @@ TEST_F(Report, WithoutATextureItIsNull) {
   EXPECT_TRUE(r["before"]["seams"].is_null());
   EXPECT_EQ(r["faces"]["after"], 4) << "a tetrahedron has no edge to spare";
   EXPECT_EQ(r["target_reached"], false);
+}
+
+/// A wavy sheet in side x side charts of 2 x 2 squares each, which lie wall to wall in an order of their own.
+std::string many_charts_obj(int side) {
+  std::ostringstream out;
+  const int n = 2 * side, cells = side * side;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      out << "v " << i << ' ' << j << ' ' << 2 * std::sin(0.3 * i) * std::cos(0.2 * j) << '\n';
+  for (int cell = 0; cell < cells; ++cell)
+    for (int k = 0; k < 9; ++k)
+      out << "vt " << (cell / side + k / 3 * 0.5) / side << ' ' << (cell % side + k % 3 * 0.5) / side << '\n';
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const int cell = (i / 2 * side + j / 2) * 7919 % cells;  // a prime: each once
+      const auto corner = [&](int x, int y) {
+        out << ' ' << (i + x) * (n + 1) + j + y + 1 << '/' << 9 * cell + 3 * (i % 2 + x) + j % 2 + y + 1;
+      };
+      out << 'f', corner(0, 0), corner(1, 0), corner(1, 1), out << "\nf", corner(0, 0), corner(1, 1),
+          corner(0, 1);
+      out << '\n';
+    }
+  return out.str();
+}
+
+TEST_F(Report, SaysWhereTheTextureWasLost) {
+  file("in.obj", many_charts_obj(25));
+  const Json r = report_of("in.obj", {"--ratio", "0.1"});
+  ASSERT_TRUE(r.contains("texture_loss")) << said;
+  const Json& loss = r["texture_loss"];
+  EXPECT_TRUE(contains(said, "warning: the texture is damaged")) << said;
+  EXPECT_TRUE(contains(said, "--max-texture-error")) << said;
+  EXPECT_TRUE(contains(r["warnings"].dump(), "the texture is damaged"));
+  EXPECT_TRUE(loss["deviation"] > loss["bounds"]["deviation"] ||
+              loss["outside_own_chart"] > loss["bounds"]["outside_own_chart"]);
+  ASSERT_TRUE(loss["last_faces_within_bounds"].is_number()) << loss;
+  const auto faces = loss["last_faces_within_bounds"].get<std::size_t>();
+  EXPECT_GT(faces, r["faces"]["after"].get<std::size_t>());
+  EXPECT_TRUE(contains(said, std::to_string(faces))) << said;
+
+  const Json then =
+      report_of("in.obj", {"--faces", std::to_string(faces), "--measure"})["measured"]["texture"];
+  EXPECT_LE(then["deviation"]["rms"], 1.05 * loss["bounds"]["deviation"].get<double>());
+  EXPECT_LE(then["outside_own_chart"], 1.1 * loss["bounds"]["outside_own_chart"].get<double>());
+  EXPECT_FALSE(contains(said, "the texture is damaged")) << said;
+}
+
+TEST_F(Report, SaysNothingOfATextureThatIsWell) {
+  for (const char* ratio : {"1", "0.5", "0.1"}) {
+    EXPECT_FALSE(report_of(spot(), {"--ratio", ratio}).contains("texture_loss")) << ratio;
+    EXPECT_FALSE(contains(said, "damaged")) << said;
+  }
+  file("in.obj", many_charts_obj(25));
+  EXPECT_FALSE(
+      report_of("in.obj", {"--ratio", "0.1", "--max-texture-error", "0.001"}).contains("texture_loss"));
+}
+
+TEST_F(Report, ItsLargestTextureDeviationIsThatWithinTheCharts) {
+  const Json r = report_of(spot(), {"--ratio", "0.1", "--report-html", "page.html", "--measure"});
+  EXPECT_LT(r["measured"]["texture"]["deviation"]["max"], 0.05);
+  EXPECT_LT(r["measured"]["texture"]["seam_crack"]["max"], 0.1);
 }
 
 }  // namespace

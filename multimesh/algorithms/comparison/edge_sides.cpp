@@ -35,8 +35,10 @@ std::vector<SeamEdge> seam_edges(const TexturedTriangles& surface, const EdgeSid
     if (at.size() != 2 || sides.same_texture(at[0], at[1])) return;
     if (!is_textured(surface.triangles[at[0].triangle]) || !is_textured(surface.triangles[at[1].triangle]))
       return;
-    seams.push_back(
-        {{position(surface, at[0].low), position(surface, at[0].high)}, ends(at[0]), ends(at[1])});
+    seams.push_back({{position(surface, at[0].low), position(surface, at[0].high)},
+                     {at[0].triangle, at[1].triangle},
+                     ends(at[0]),
+                     ends(at[1])});
   });
   return seams;
 }

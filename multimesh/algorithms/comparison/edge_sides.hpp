@@ -42,6 +42,7 @@ class EdgeSides {
 /// The points of the texture on both sides of an edge of the surface's interior, at both ends.
 struct SeamEdge {
   std::array<OpenMesh::Vec3d, 2> position;
+  std::array<Index, 2> triangle;  ///< on the left, on the right
   std::array<OpenMesh::Vec2d, 2> left, right;
 };
 

@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/comparison/texture_comparison.hpp"
 
+#include <atomic>
 #include <cmath>
+#include <map>
 
 #include "multimesh/algorithms/comparison/parallel.hpp"
 
 namespace multimesh::comparison {
+
+std::vector<TexturedPoint> textured_points(const TexturedTriangles& surface,
+                                           const std::vector<Sample>& samples) {
+  std::vector<TexturedPoint> points;
+  for (const Sample& s : samples) {
+    const Corners& t = surface.triangles[s.triangle];
+    if (!is_textured(t)) continue;
+    const OpenMesh::Vec3d uv = vec(spatial::at(in_texture(surface, t), s.barycentric));
+    points.push_back({vec(spatial::at(in_space(surface, t), s.barycentric)), {uv[0], uv[1]}, s.triangle});
+  }
+  return points;
+}
 
 std::vector<TextureMap::Place> painted(const TextureMap& map, const std::vector<TexturedPoint>& points,
                                        unsigned threads) {
@@ -29,31 +43,75 @@ SeamPoints sample_seams(const std::vector<SeamEdge>& seams, std::size_t count) {
     for (; next < length; next += step) {
       const double t = next / length;
       const OpenMesh::Vec3d p = s.position[0] * (1 - t) + s.position[1] * t;
-      points.left.push_back({p, s.left[0] * (1 - t) + s.left[1] * t});
-      points.right.push_back({p, s.right[0] * (1 - t) + s.right[1] * t});
+      points.left.push_back({p, s.left[0] * (1 - t) + s.left[1] * t, s.triangle[0]});
+      points.right.push_back({p, s.right[0] * (1 - t) + s.right[1] * t, s.triangle[1]});
     }
     next -= length;
   }
   return points;
 }
 
-std::vector<double> orientation_by_original(const std::vector<double>& orientation,
-                                            const TexturedTriangles& other, const std::vector<Index>& chart,
-                                            const TextureMap& map, unsigned threads) {
-  const std::vector<double> area = uv_areas(other);
-  std::vector<TexturedPoint> centroids;
-  std::vector<Index> textured;
+PaintedCentroids painted_centroids(const TexturedTriangles& other, const TextureMap& map, unsigned threads) {
+  PaintedCentroids all;
   for (Index t = 0; t < other.triangles.size(); ++t) {
     const Corners& c = other.triangles[t];
     if (!is_textured(c)) continue;
-    textured.push_back(t);
-    centroids.push_back({(position(other, c[0]) + position(other, c[1]) + position(other, c[2])) / 3,
-                         (texcoord(other, c[0]) + texcoord(other, c[1]) + texcoord(other, c[2])) / 3});
+    all.points.push_back({(position(other, c[0]) + position(other, c[1]) + position(other, c[2])) / 3,
+                          (texcoord(other, c[0]) + texcoord(other, c[1]) + texcoord(other, c[2])) / 3, t});
   }
-  const auto places = painted(map, centroids, threads);
+  all.places = painted(map, all.points, threads);
+  return all;
+}
+
+ChartPairs::ChartPairs(const std::vector<Index>& original, const TexturedTriangles& other,
+                       const std::vector<Index>& other_chart, const PaintedCentroids& centroids,
+                       double diagonal)
+    : original_(original), own_(other.triangles.size(), no_index) {
+  constexpr double close = 0.01;  // relative to the diagonal: within it, all places count about the same
+  const std::vector<double> area = uv_areas(other);
+  std::map<std::array<Index, 2>, double> votes;
+  for (std::size_t i = 0; i < centroids.points.size(); ++i) {
+    const TexturedPoint& point = centroids.points[i];
+    const TextureMap::Place& place = centroids.places[i];
+    const double deviation = (place.position - point.position).norm() / diagonal;
+    votes[{other_chart[point.triangle], original[place.triangle]}] +=
+        std::abs(area[point.triangle]) / (close + deviation);
+  }
+  std::vector<double> most(other.triangles.size(), 0);
+  for (const auto& [charts, vote] : votes)
+    if (vote > most[charts[0]]) {
+      most[charts[0]] = vote;
+      own_[charts[0]] = charts[1];
+    }
+  for (std::size_t t = 0; t < own_.size(); ++t) own_[t] = own_[other_chart[t]];
+}
+
+std::size_t ChartPairs::move_into_charts(const TextureMap& map, const std::vector<TexturedPoint>& points,
+                                         std::vector<TextureMap::Place>& places, unsigned threads) const {
+  std::atomic<std::size_t> outside = 0;
+  for_each_block(points.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const TexturedPoint& p = points[i];
+      const Index own = own_[p.triangle];
+      const bool elsewhere = own != no_index && original_[places[i].triangle] != own;
+      const TextureMap::Place place = elsewhere ? *map.within(p.uv, original_, own) : places[i];
+      outside += place.uv_distance > map.rounding();
+      if ((place.position - p.position).sqrnorm() < (places[i].position - p.position).sqrnorm())
+        places[i] = place;
+    }
+  });
+  return outside;
+}
+
+std::vector<double> orientation_by_original(const std::vector<double>& orientation,
+                                            const TexturedTriangles& other, const std::vector<Index>& chart,
+                                            const PaintedCentroids& centroids) {
+  const std::vector<double> area = uv_areas(other);
   std::vector<double> vote(area.size(), 0.0);
-  for (std::size_t i = 0; i < textured.size(); ++i)
-    vote[textured[i]] = std::copysign(area[textured[i]], orientation[places[i].triangle]);
+  for (std::size_t i = 0; i < centroids.points.size(); ++i) {
+    const Index t = centroids.points[i].triangle;
+    vote[t] = std::copysign(area[t], orientation[centroids.places[i].triangle]);
+  }
   return sum_over_charts(chart, vote);
 }
 

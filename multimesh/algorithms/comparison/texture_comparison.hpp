@@ -13,11 +13,43 @@ namespace multimesh::comparison {
 struct TexturedPoint {
   OpenMesh::Vec3d position;
   OpenMesh::Vec2d uv;
+  Index triangle = no_index;  ///< that it is a point of
 };
+
+/// Those of the samples that lie on textured triangles.
+std::vector<TexturedPoint> textured_points(const TexturedTriangles& surface,
+                                           const std::vector<Sample>& samples);
 
 /// Per point the place of the original that is painted there.
 std::vector<TextureMap::Place> painted(const TextureMap& map, const std::vector<TexturedPoint>& points,
                                        unsigned threads);
+
+/// The centroids of the textured triangles of the other surface, and what is painted there.
+struct PaintedCentroids {
+  std::vector<TexturedPoint> points;
+  std::vector<TextureMap::Place> places;
+};
+PaintedCentroids painted_centroids(const TexturedTriangles& other, const TextureMap& map, unsigned threads);
+
+/// Which charts of the original those of the other surface are made of.
+class ChartPairs {
+ public:
+  /// `original`, `other`: their charts, per triangle. A chart belongs to that of the original that is painted
+  /// on most of it, where what is painted close to its place counts more: a strip along the edge may lie in a
+  /// neighbour of the atlas.
+  ChartPairs(const std::vector<Index>& original, const TexturedTriangles& other,
+             const std::vector<Index>& other_chart, const PaintedCentroids& centroids, double diagonal);
+
+  /// From the places that are painted at points to those that are meant: where that is of another chart of
+  /// the original, and the nearest point of the own one is nearer to the point, that one.
+  /// \return how many points lie outside of their own chart, by more than TextureMap::rounding()
+  std::size_t move_into_charts(const TextureMap& map, const std::vector<TexturedPoint>& points,
+                               std::vector<TextureMap::Place>& places, unsigned threads) const;
+
+ private:
+  const std::vector<Index>& original_;
+  std::vector<Index> own_;  // per triangle of the other surface
+};
 
 /// `count` points in equal distances along the seams, on the left and on the right side.
 struct SeamPoints {
@@ -29,6 +61,6 @@ SeamPoints sample_seams(const std::vector<SeamEdge>& seams, std::size_t count);
 /// `orientation`, likewise per triangle, at the centroids of the chart's triangles, weighted by their area.
 std::vector<double> orientation_by_original(const std::vector<double>& orientation,
                                             const TexturedTriangles& other, const std::vector<Index>& chart,
-                                            const TextureMap& map, unsigned threads);
+                                            const PaintedCentroids& centroids);
 
 }  // namespace multimesh::comparison

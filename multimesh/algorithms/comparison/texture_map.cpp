@@ -103,4 +103,16 @@ TextureMap::Place TextureMap::operator()(const Vec2d& uv, const Vec3d& near,
   return search_texture(p, near, buffer);
 }
 
+std::optional<TextureMap::Place> TextureMap::within(const Vec2d& uv, const std::vector<Index>& part,
+                                                    Index which) const {
+  const spatial::Point p = to_point(uv);
+  const auto choose = [&](Index facet) -> std::optional<PointOnTriangle> {
+    if (part[textured_[facet]] != which) return std::nullopt;
+    return spatial::closest_point(p, in_texture_.triangles()[facet]);
+  };
+  const auto found = in_texture_.nearest_chosen(p, choose);
+  if (!found) return std::nullopt;
+  return place(*found, std::sqrt(found->squared_distance));
+}
+
 }  // namespace multimesh::comparison

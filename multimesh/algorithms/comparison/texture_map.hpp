@@ -26,6 +26,10 @@ class TextureMap {
   Place operator()(const OpenMesh::Vec2d& uv, const OpenMesh::Vec3d& near,
                    std::vector<spatial::Nearby>& buffer) const;
 
+  /// X(uv) by the triangles with `part[triangle] == which` alone: by that one of them that is nearest in the
+  /// texture. None if there are none. `part`: per triangle of the surface.
+  std::optional<Place> within(const OpenMesh::Vec2d& uv, const std::vector<Index>& part, Index which) const;
+
   double diagonal() const { return diagonal_; }         ///< of the bounding box in the UV plane
   double touching() const { return 2e-5 * diagonal_; }  ///< in UV: a fraction of a texel
   double rounding() const { return 1e-6 * diagonal_; }  ///< in UV: what files of six digits leave open

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "multimesh/algorithms/bounding_box.hpp"
+
 namespace multimesh::decimation {
 
 namespace {
@@ -15,16 +17,21 @@ constexpr Index several = no_index - 1;
 constexpr double pull_to_middle = 1e-8;
 /// Of edges that cost the same, the shorter one first.
 constexpr double length_cost = 1e-8;
-/// Below it, relative to the squared trace, the best texture coordinates are lost in roundings, and those on the
-/// edge are taken: at slivers of the texture.
+/// Below it, relative to the squared trace, the best texture coordinates are lost in roundings, and those on
+/// the edge are taken: at slivers of the texture.
 constexpr double least_determinant = 1e-8;
+
+/// Of the reciprocal of a length.
+double power_of_two_near(double length) {
+  return length > 0 && std::isfinite(length) ? std::exp2(-std::ilogb(length)) : 1;
+}
 
 }  // namespace
 
 /// The metric of one triangle, the same at each corner.
 struct CollapseCost::Shape {
   Vec3d normal;
-  double weight = 0;  ///< a third of the area
+  double weight = 0;                   ///< a third of the area
   std::array<Vec3d, max_sets> du, dv;  ///< derivatives of position by texture coordinates
   std::array<bool, max_sets> has_texture{};
 
@@ -75,7 +82,10 @@ CollapseCost::CollapseCost(const TexturedSurface& surface, const DecimateOptions
                      std::vector<Index>(root_.capacity(0), no_index)});
   }
   const bool quadric = options_.cost == DecimateCost::quadric;
-  if (quadric && options_.memory_weight > 0) memory_.resize(root_.capacity(0));
+  if (quadric && options_.memory_weight > 0) {
+    memory_.resize(root_.capacity(0));
+    memory_unit_ = power_of_two_near(bounding_box_diagonal(positions_));
+  }
   SurfaceTriangle t;
   for (Index f = 0; f < root_.capacity(2); ++f) {
     if (!root_.is_live(2, f)) continue;
@@ -99,14 +109,16 @@ void CollapseCost::note_copies(const SurfaceTriangle& t) {
 void CollapseCost::remember(const SurfaceTriangle& t) {
   const Shape shape(t, 0);
   if (shape.weight == 0) return;
-  for (const Index v : t.vertices) memory_[v].add_plane(shape.normal, options_.memory_weight * shape.weight);
+  const double unit = options_.memory_weight * memory_unit_ * memory_unit_;  // of areas
+  for (const Index v : t.vertices) memory_[v].add_plane(shape.normal, unit * shape.weight);
   if (!t.has_curves) return;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!(t.curve_weights[i] > 0)) continue;
     const Edge edge(t, shape, i);
     if (!(edge.squared_length > 0)) continue;
-    const double weight = options_.memory_weight * t.curve_weights[i] * edge.squared_length;
-    for (const std::size_t corner : {i, (i + 1) % 3}) memory_[t.vertices[corner]].add_plane(edge.across, weight);
+    const double weight = unit * t.curve_weights[i] * edge.squared_length;
+    for (const std::size_t corner : {i, (i + 1) % 3})
+      memory_[t.vertices[corner]].add_plane(edge.across, weight);
   }
 }
 
@@ -121,7 +133,7 @@ void CollapseCost::add(const SurfaceTriangle& t, double sign) {
     if (!shape.has_texture[k]) continue;
     across -= uv, along += uv;
     const Vec3d &u = shape.du[k], &v = shape.dv[k];
-    const TextureForm form{-uv * u[0], -uv * v[0], -uv * u[1],    -uv * v[1],   -uv * u[2],
+    const TextureForm form{-uv * u[0], -uv * v[0],     -uv * u[1],     -uv * v[1],    -uv * u[2],
                            -uv * v[2], uv * dot(u, u), uv * dot(u, v), uv * dot(v, v)};
     for (const Index w : t.sets[k].vertices) sets_[k].forms[w].add(form, sign);
   }
@@ -175,7 +187,11 @@ void CollapseCost::find_copies(Dart e, CollapsePlan& plan) const {
 
 double CollapseCost::deviation(const CollapsePlan& plan) const {
   const Vec3d from_a = plan.position - plan.at_a, from_b = plan.position - plan.at_b;
-  double sum = memory_.empty() ? 0 : memory_[plan.a](from_a) + memory_[plan.b](from_b);
+  double sum = 0;
+  if (!memory_.empty()) {
+    const double u = memory_unit_;
+    sum = (memory_[plan.a](from_a * u) + memory_[plan.b](from_b * u)) / (u * u * u * u);
+  }
   if (plan.moves(End::a)) sum += position_forms_[plan.a](from_a);
   if (plan.moves(End::b)) sum += position_forms_[plan.b](from_b);
   for (const CollapsePlan::Copy& c : plan.copies()) {
@@ -211,9 +227,7 @@ void CollapseCost::put_at(Dart e, double t, CollapsePlan& plan) const {
   };
   plan.position = between(positions_, plan.a, plan.b);
   for (CollapsePlan::Copy& c : plan.copies()) c.texcoord = between(sets_[c.set].texcoords, c.a, c.b);
-  plan.cost = options_.cost == DecimateCost::quadric
-                  ? deviation(plan)
-                  : (plan.at_a - plan.at_b).sqrnorm();
+  plan.cost = options_.cost == DecimateCost::quadric ? deviation(plan) : (plan.at_a - plan.at_b).sqrnorm();
 }
 
 std::optional<CollapsePlan> CollapseCost::plan(Dart e) const {
@@ -243,8 +257,8 @@ bool CollapseCost::plan(Dart e, CollapsePlan& plan) const {
 }
 
 // With x and y the displacements from the middle of the edge, in space and in each copy, the deviation is
-// x'Ax + 2 f.x + sum over copies (2 x'My + y'Sy + 2 g.y) and a constant. Texture coordinates are eliminated copy
-// by copy: the best ones are linear in x.
+// x'Ax + 2 f.x + sum over copies (2 x'My + y'Sy + 2 g.y) and a constant. Texture coordinates are eliminated
+// copy by copy: the best ones are linear in x.
 void CollapseCost::minimize(CollapsePlan& plan) const {
   const Vec3d half = (plan.at_b - plan.at_a) * 0.5;
   const PositionForm &form_a = position_forms_[plan.a], &form_b = position_forms_[plan.b];
@@ -254,8 +268,9 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
   if (!memory_.empty()) {
     const PlanesForm &in_a = memory_[plan.a], &in_b = memory_[plan.b];
     const PositionForm quadratic_a = in_a.quadratic(), quadratic_b = in_b.quadratic();
-    A.add(quadratic_a + quadratic_b, 1);
-    f += (quadratic_a - quadratic_b).times(half) + in_a.linear() + in_b.linear();
+    const double u = memory_unit_;
+    A.add(quadratic_a + quadratic_b, 1 / (u * u));
+    f += ((quadratic_a - quadratic_b).times(half * u) + in_a.linear() + in_b.linear()) / (u * u * u);
   }
   A.add(PositionForm::point(pull), 1);
 
@@ -310,7 +325,8 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
 
 namespace {
 
-/// Where the edges a-l and b-l of a dead triangle became one, the triangle beyond either has the curves of both.
+/// Where the edges a-l and b-l of a dead triangle became one, the triangle beyond either has the curves of
+/// both.
 void inherit_curves(const PredictedStar& star, End end, SurfaceTriangle& t) {
   for (const PredictedStar::Face& dead : star.faces()) {
     if (!dead.dies || !dead.before.has_curves) continue;
@@ -334,8 +350,8 @@ void CollapseCost::collapsed(const PredictedStar& star, const CollapsePlan& plan
   if (options_.cost != DecimateCost::quadric) return;
   replace_triangles(star, plan, kept);
   if (memory_.empty()) return;
-  memory_[plan.a].move(plan.position - plan.at_a);
-  memory_[plan.b].move(plan.position - plan.at_b);
+  memory_[plan.a].move((plan.position - plan.at_a) * memory_unit_);
+  memory_[plan.b].move((plan.position - plan.at_b) * memory_unit_);
   memory_[stays].merge(memory_[goes]);
 }
 
@@ -343,7 +359,8 @@ void CollapseCost::replace_triangles(const PredictedStar& star, const CollapsePl
   const Index stays = kept == End::a ? plan.a : plan.b, goes = kept == End::a ? plan.b : plan.a;
   const auto faces = star.faces();
   // A triangle that stays as it is can still get a curve.
-  const bool curves = std::any_of(faces.begin(), faces.end(), [](const auto& f) { return f.before.has_curves; });
+  const bool curves =
+      std::any_of(faces.begin(), faces.end(), [](const auto& f) { return f.before.has_curves; });
   for (const PredictedStar::Face& f : faces)
     if (f.changes || curves) add(f.before, -1);
   position_forms_[stays].add(position_forms_[goes], 1);

@@ -15,10 +15,10 @@ namespace multimesh::decimation {
 /// now, each weighted by a third of its area: the distance to the triangle's plane and, weighted by
 /// `uv_weight`, the distance along it between the vertex and where the texture has its content (the texture
 /// deviation of Cohen, Olano, Manocha 1998, with the texture continued affinely). It is quadratic in position
-/// and texture coordinates together (Garland & Heckbert 1998; Hoppe 1999), and measures lengths in space only:
-/// no weight depends on the scale of the model or of its texture. Memoryless (Lindstrom & Turk 1998): a vertex
-/// of the current surface deviates by nothing, so that its form has no linear part, and what is kept per
-/// vertex is the sum over its triangles. Curves add planes through their edges.
+/// and texture coordinates together (Garland & Heckbert 1998; Hoppe 1999), and measures lengths in space
+/// only: no weight depends on the scale of the model or of its texture. Memoryless (Lindstrom & Turk 1998): a
+/// vertex of the current surface deviates by nothing, so that its form has no linear part, and what is kept
+/// per vertex is the sum over its triangles. Curves add planes through their edges.
 ///
 /// Memoryless, thin parts may be eaten up in many small steps, none of which costs much. So the distance from
 /// the planes of the input that were merged into a vertex (Garland & Heckbert 1997) counts too, by
@@ -61,7 +61,9 @@ class CollapseCost {
   const TriangleReader& reader_;
   const std::vector<OpenMesh::Vec3d>& positions_;
   std::vector<PositionForm> position_forms_;  ///< per vertex of the surface
-  std::vector<PlanesForm> memory_;            ///< the same; empty if its weight is 0
+  double memory_unit_ =
+      1;  ///< lengths are multiplied by it there: a power of two that makes the surface of size 1
+  std::vector<PlanesForm> memory_;  ///< the same; empty if its weight is 0
   struct Set {
     NodeId node;
     const std::vector<OpenMesh::Vec2d>& texcoords;

@@ -87,7 +87,7 @@ struct TextureForm {
 };
 
 /// x'Ax + 2 b.x + c, x the displacement from a vertex: squared distances from planes that need not pass through
-/// it. In single precision: it is only ever added to, and guides where exactness does not matter.
+/// it. In single precision, so of a surface of about size 1: it is only ever added to, and guides where exactness does not matter.
 class PlanesForm {
  public:
   void add_plane(const Vec3d& n, double weight) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multimesh/orient2d.hpp"
+
 namespace multimesh::decimation {
 
 using OpenMesh::Vec2d;
@@ -15,6 +17,10 @@ constexpr double relative_no_area = 1e-11;
 /// A chart has an orientation if what its sides have more than each other is at least this share of its area.
 constexpr double oriented_share = 0.8;
 
+int orientation(const std::array<Vec2d, 3>& t) {
+  return orient2d(t[0].data(), t[1].data(), t[2].data());
+}
+
 double doubled_area(const std::array<Vec2d, 3>& t) {
   const Vec2d u = t[1] - t[0], v = t[2] - t[0];
   return u[0] * v[1] - u[1] * v[0];
@@ -22,6 +28,11 @@ double doubled_area(const std::array<Vec2d, 3>& t) {
 
 int sign(double area, double none) {
   return area > none ? 1 : area < -none ? -1 : 0;
+}
+
+/// What a triangle has on the right side, or had before, it may have.
+bool allowed(int right, int had, int has) {
+  return has == had || has == right;
 }
 
 struct Box {
@@ -92,11 +103,16 @@ bool TextureOrientation::allows(const PredictedStar& star, const CollapsePlan&) 
   });
 }
 
+// Asked twice: of the exact signs, so that no triangle flips, however small; and of those of areas that can
+// be seen, so that none grows on the wrong side out of one that cannot.
 bool TextureOrientation::keeps_sign(const PredictedStar::Face& f) const {
   const Chart& chart = charts_[chart_of_[f.before.sets[set_].facet]];
-  const double before = doubled_area(f.before.sets[set_].texcoords), after = doubled_area(f.texcoords_after(set_));
-  const int had = sign(before, chart.no_area), has = sign(after, chart.no_area);
-  if (has != had && has != chart.sign) return false;
+  const std::array<Vec2d, 3>& old = f.before.sets[set_].texcoords;
+  const std::array<Vec2d, 3> now = f.texcoords_after(set_);
+  const double before = doubled_area(old), after = doubled_area(now);
+  if (!allowed(chart.sign, sign(before, chart.no_area), sign(after, chart.no_area))) return false;
+  const int had = orientation(old);
+  if ((had != 0 || chart.sign != 0) && !allowed(chart.sign, had, orientation(now))) return false;
   return std::abs(before) <= no_area_ || std::abs(after) > no_area_;
 }
 

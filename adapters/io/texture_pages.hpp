@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "adapters/io/polygon_soup.hpp"
+
+namespace multimesh::io {
+
+/// Texture images that the faces of a file name by numbers, as in PLY: each becomes a material.
+class TexturePages {
+ public:
+  /// `images`: file names, by number.
+  explicit TexturePages(const std::vector<std::string>& images);
+
+  /// The section of a face. Numbers without an image have a material without a texture; below 0: none.
+  std::uint32_t section(std::int64_t page, PolygonSoup& soup);
+
+ private:
+  std::string unique_name(const std::string& image) const;
+
+  std::vector<std::string> images_;
+  std::vector<std::int64_t> pages_;  ///< per section
+  std::vector<std::string> names_;
+};
+
+/// Gives each section texture coordinates of its own: equal numbers are other places on another image.
+void part_texcoords_by_section(PolygonSoup& soup);
+
+}  // namespace multimesh::io
