@@ -75,7 +75,7 @@ TEST_P(DecimateScale, PowersOfTwoChangeNoBit) {
   for (const double scale : {1024.0, 0x1p-30, 0x1p60, 0x1p-110, 0x1p110}) expect_no_bit_changed(scale);
 }
 
-TEST_P(DecimateScale, OfTheTextureAlone) {
+TEST_P(DecimateScale, PowersOfTwoOfTheTextureChangeNoCollapse) {
   const auto same = [](const Vec3d& p) { return p; };
   for (const double scale : {0x1p-100, 0x1p100}) {
     const auto in_texture = [scale](const Vec2d& p) { return p * scale; };
