@@ -95,8 +95,8 @@ struct TriangleTree::Data {
   Scene scene;
 
   bool hides_triangles = false;  ///< the frame, in single precision
-  mutable std::once_flag boxes_made;
-  mutable std::optional<BoxTree> boxes;
+  mutable std::once_flag double_boxes_made;
+  mutable std::optional<BoxTree> double_boxes;
 
   explicit Data(std::vector<Triangle> t) : triangles(std::move(t)), frame(triangles) {}
   void build();
@@ -136,8 +136,8 @@ struct Boxes {
 }  // namespace
 
 const BoxTree& TriangleTree::Data::in_double_precision() const {
-  std::call_once(boxes_made, [this] { boxes.emplace(triangles); });
-  return *boxes;
+  std::call_once(double_boxes_made, [this] { double_boxes.emplace(triangles); });
+  return *double_boxes;
 }
 
 void TriangleTree::Data::build() {
