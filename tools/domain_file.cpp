@@ -54,7 +54,7 @@ std::vector<std::int32_t> tags_of_groups(const DomainFile& file, int dimension,
   for (const std::int32_t group : groups) {
     if (!known.contains(group)) {
       std::string list;
-      for (const std::int32_t k : known) list += (list.empty() ? "" : ", ") + std::to_string(k);
+      for (const std::int32_t k : known) list.append(list.empty() ? "" : ", ").append(std::to_string(k));
       throw InputError(option + " " + std::to_string(group) + ": " + file.path.string() +
                        " has no such tag; it has " + list);
     }

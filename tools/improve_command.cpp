@@ -184,7 +184,9 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --json report.json\n\n"
       "The boundary, faces between regions and listed triangles and edges stay what they are. If the target\n"
-      "cannot be reached, the result is written all the same, warnings say why, and the exit status is 0.");
+      "cannot be reached, the result is written all the same, warnings say why, and the exit status is 0.\n"
+      "Elements keep their tags, groups and MEDIT's flags; what the input does not list is not added, but for\n"
+      "curves with --feature-angle.");
   command->callback([a, &exit_code] {
     run(*a);
     exit_code = done;

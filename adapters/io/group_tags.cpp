@@ -21,7 +21,7 @@ UnusedTags::UnusedTags(const SimplexSoup& soup) {
     for (const std::int32_t tag : set.groups) add(tag);
   }
   std::ranges::sort(used_);
-  used_.erase(std::ranges::unique(used_).begin(), used_.end());
+  used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
   if (!used_.empty()) last_ = used_.back();
 }
 

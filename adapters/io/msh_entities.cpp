@@ -34,7 +34,7 @@ class PeriodicEntities {
     if (!points_.empty()) of_point_.resize(soup.points.size());
     for (auto& [number, points] : points_) {
       std::ranges::sort(points);
-      points.erase(std::ranges::unique(points).begin(), points.end());
+      points.erase(std::unique(points.begin(), points.end()), points.end());
       for (const std::uint32_t p : points) of_point_[p].push_back(number);
     }
   }

@@ -64,7 +64,7 @@ PeriodicPairs periodic_pairs(const SimplexSoup& soup) {
     found.pairs.insert(found.pairs.end(), link.points.begin(), link.points.end());
   }
   std::ranges::sort(found.pairs);
-  found.pairs.erase(std::ranges::unique(found.pairs).begin(), found.pairs.end());
+  found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end()), found.pairs.end());
   return found;
 }
 
@@ -140,7 +140,7 @@ void add_periodic_faces(SimplexSoup& soup, int dimension, const std::vector<Peri
     for (std::size_t i = 0; i < side.slave.size(); ++i)
       link.points.push_back({side.slave[i], side.master[i]});
     std::ranges::sort(link.points);
-    link.points.erase(std::ranges::unique(link.points).begin(), link.points.end());
+    link.points.erase(std::unique(link.points.begin(), link.points.end()), link.points.end());
     soup.periodic.push_back(std::move(link));
   }
 }

@@ -57,7 +57,7 @@ std::vector<std::int32_t> distinct_tags(const SimplexSoup::Block& block,
   for (const std::uint32_t i : repeated)
     if (block.tags[i] != 0) tags.push_back(block.tags[i]);
   std::ranges::sort(tags);
-  tags.erase(std::ranges::unique(tags).begin(), tags.end());
+  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
   return tags;
 }
 
