@@ -15,7 +15,12 @@ function(multimesh_add_library name)
   add_library(multimesh_${name} ${ARGN})
   add_library(multimesh::${name} ALIAS multimesh_${name})
   multimesh_compile_options(multimesh_${name})
+  # Static libraries, too, can go into shared ones of others. No symbol of ours is meant to be replaced at run time:
+  # calls within a file stay direct.
+  target_compile_options(multimesh_${name} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU,Clang>:-fno-semantic-interposition>)
   set_target_properties(multimesh_${name} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})

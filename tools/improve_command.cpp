@@ -200,7 +200,7 @@ void add_improve_command(CLI::App& app, int&) {
       app.add_subcommand("improve", "Not in this build: configure with -DMULTIMESH_BUILD_IMPROVE=ON.");
   command->allow_extras();
   command->callback(
-      [] { throw InputError("improve: this build has no exact predicates (-DMULTIMESH_BUILD_IMPROVE=ON)"); });
+      [] { throw InputError("improve: this build is one without it (-DMULTIMESH_BUILD_IMPROVE=ON)"); });
 }
 
 #endif

@@ -3,7 +3,8 @@
 
 bool works() {
   using namespace multimesh::spatial;
-  const TriangleTree tree({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
+  const Triangle triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  const TriangleTree tree(std::vector<Triangle>{triangle});
   const auto found = tree.nearest({0.25, 0.25, 2});
   return found && found->squared_distance == 4;
 }
