@@ -305,6 +305,20 @@ TEST_F(TetFiles, PointsThatNoElementUsesAreLeftOutAndTold) {
   EXPECT_EQ(io::read_simplices(directory / "out.msh").points.size(), soup.points.size() - 1);
 }
 
+TEST_F(TetFiles, OfElementsOfSecondOrderTheCornersAreKept) {
+  file("in.msh",
+       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 .5 0 0\n"
+       "6 .5 .5 0\n7 0 .5 0\n8 0 0 .5\n9 0 .5 .5\n10 .5 0 .5\n$EndNodes\n"
+       "$Elements\n1\n1 11 2 3 1 1 2 3 4 5 6 7 8 9 10\n$EndElements\n");
+  const Ended e = run({"improve", "in.msh", "-o", "out.msh"});
+  ASSERT_EQ(e.status, 0) << e.err;
+  EXPECT_TRUE(contains(e.err, "1 elements are of higher order; their corners are kept")) << e.err;
+  EXPECT_FALSE(contains(e.err, "belong to no element")) << e.err;
+  const SimplexSoup out = io::read_simplices(directory / "out.msh");
+  EXPECT_EQ(out.points.size(), 4U);
+  EXPECT_EQ(out.simplices[3].tags, std::vector<std::int32_t>{3});
+}
+
 TEST_F(TetFiles, TheInputIsNotReplaced) {
   io::write_simplices(directory / "in.msh", kuhn_cube(1));
   const Ended e = run({"improve", "in.msh", "-o", "./in.msh"});
