@@ -83,7 +83,9 @@ TEST(TextureOrientation, NoTriangleFlipsWhateverItsSize) {
           std::size_t wrong = 0;
           for (std::size_t t = 0; t < out.triangles.size(); ++t)
             wrong += sign(out, t) != sign(input, source[t]) && sign(out, t) <= 0;
-          if (negative_before == 0) EXPECT_EQ(wrong, 0U) << ratio;
+          if (negative_before == 0) {
+            EXPECT_EQ(wrong, 0U) << ratio;
+          }
         }
       }
   EXPECT_GT(small, 1000U) << "collapses there must be";

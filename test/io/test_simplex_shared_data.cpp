@@ -25,6 +25,7 @@ std::map<std::string, Row> manifest(const fs::path& root, const std::string& fol
     for (std::string cell; std::getline(cells, cell, '|');)
       row.push_back(std::regex_replace(cell, std::regex("^ +| +$"), ""));
     const std::string path = row.at(1).substr(1, row[1].size() - 2);
+    if (path.find('`') != std::string::npos) continue;  // a remark on several files: it has no numbers
     rows[path.substr(folder.size() + 1)] = row;
   }
   return rows;
