@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
+#include <charconv>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -24,13 +27,15 @@ namespace {
 
 struct ImproveArguments {
   std::string input, output, json, splits = "rounded";
+  std::vector<std::string> locked_patches;
   double feature_angle = 0;
   ImproveOptions options;
   DomainInputOptions taken;
-  bool ascii = false, msh_2 = false;
+  bool ascii = false, msh_2 = false, progress = false;
 };
 
 constexpr const char* split_names[] = {"none", "exact", "rounded"};
+constexpr const char* stop_names[] = {"nothing_left", "max_passes", "max_growth", "time_limit"};
 
 Json to_json(const TetQuality& q) {
   return {{"tetrahedra", q.tets},
@@ -45,6 +50,7 @@ Json to_json(const ImproveArguments& a, const ImproveResult& r) {
          {"output", a.output},
          {"target_amips", a.options.target_amips},
          {"target_reached", r.target_reached},
+         {"stopped_by", stop_names[static_cast<std::size_t>(r.stop)]},
          {"passes", r.passes},
          {"seconds", r.seconds},
          {"before", to_json(r.before)},
@@ -54,6 +60,13 @@ Json to_json(const ImproveArguments& a, const ImproveResult& r) {
     for (const auto& [reason, n] : c.refused) refused[reason] = n;
     j["operations"][c.name] = {{"tried", c.tried}, {"done", c.done}, {"refused", refused}};
   }
+  if (a.options.edge_length > 0)
+    j["edge_lengths"] = {{"target", a.options.edge_length},
+                         {"shortest", r.lengths.shortest},
+                         {"mean", r.lengths.mean},
+                         {"longest", r.lengths.longest},
+                         {"share_in_range", r.lengths.share_in_range},
+                         {"too_long", r.lengths.too_long}};
   j["least_max_amips"] = {{"value", r.least_max_amips}, {"at", r.least_max_amips_at}};
   j["obstacles"] = Json::array();
   for (const ImproveObstacle& o : r.obstacles)
@@ -85,17 +98,45 @@ std::string place(const std::array<double, 3>& p) {
   return text.str();
 }
 
-/// Why the target was missed, in sentences.
+std::string number(double x) {
+  std::ostringstream text;
+  text << std::setprecision(4) << x;
+  return text.str();
+}
+
+/// Whether the edges came to the length, in a sentence; empty if all did.
+std::string length_missed(double length, const EdgeLengths& m) {
+  if (m.too_long == 0 && m.share_in_range >= 0.9) return {};
+  return "the edge length was missed: " + number(100 * m.share_in_range) +
+         " % of the edges are from 4/5 to 4/3 of " + number(length) + ", " + std::to_string(m.too_long) +
+         " are longer; the longest is " + number(m.longest) + ", the mean " + number(m.mean);
+}
+
+std::string stop_reason(const ImproveArguments& a, ImproveStop stop) {
+  switch (stop) {
+    case ImproveStop::max_passes:
+      return "stopped after " + std::to_string(a.options.max_passes) + " passes (--max-passes)";
+    case ImproveStop::max_growth:
+      return "no edge was split any more when the mesh had grown to its limit (--max-growth " +
+             number(a.options.max_growth) + ")";
+    case ImproveStop::time_limit:
+      return "stopped after " + number(a.options.time_limit) + " s (--time-limit)";
+    default:
+      return {};
+  }
+}
+
+/// Why a target was missed, in sentences.
 std::vector<std::string> reasons(const ImproveArguments& a, const ImproveResult& r) {
   std::vector<std::string> list;
+  if (a.options.edge_length > 0)
+    if (const std::string missed = length_missed(a.options.edge_length, r.lengths); !missed.empty())
+      list.push_back(missed);
+  if (const std::string stop = stop_reason(a, r.stop); !stop.empty()) list.push_back(stop);
   if (r.target_reached) return list;
-  const auto number = [](double x) {
-    std::ostringstream text;
-    text << std::setprecision(4) << x;
-    return text.str();
-  };
   list.push_back("the target was missed: " + std::to_string(r.after.above_target) +
-                 " tetrahedra have an AMIPS energy above " + number(a.options.target_amips));
+                 " tetrahedra have an AMIPS energy above " + number(a.options.target_amips) +
+                 ", the greatest is " + number(r.after.max_amips));
   if (r.least_max_amips > a.options.target_amips)
     list.push_back("no mesh of this surface has a max AMIPS below " + number(r.least_max_amips) +
                    ", because of its angle at " + place(r.least_max_amips_at));
@@ -105,7 +146,29 @@ std::vector<std::string> reasons(const ImproveArguments& a, const ImproveResult&
   return list;
 }
 
+/// The tag of a patch that is given by its tag or its name.
+TetDomain::Tag patch_tag(const DomainFile& file, const std::string& patch) {
+  for (const io::SimplexSoup::Group& g : file.soup.groups)
+    if (g.dimension == 2 && g.name == patch) return static_cast<TetDomain::Tag>(g.tag);
+  TetDomain::Tag tag{};
+  const auto [end, error] = std::from_chars(patch.data(), patch.data() + patch.size(), tag);
+  if (error == std::errc() && end == patch.data() + patch.size()) return tag;
+  throw InputError(file.path.string() + ": --lock-patch " + patch + ": no patch has this name");
+}
+
+/// One line on stderr that is written over and over; nothing where stderr is no terminal, unless asked for.
+void show_progress(ImproveArguments& a) {
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  if (!terminal && !a.progress) return;
+  a.options.progress = [terminal](const ImproveProgress& p) {
+    std::cerr << (terminal ? "\r" : "") << "pass " << p.pass << ": " << p.tets << " tetrahedra, "
+              << p.above_target << " above the target, " << static_cast<long>(p.seconds) << " s"
+              << (terminal ? "   " : "\n") << std::flush;
+  };
+}
+
 void run(ImproveArguments a) {
+  show_progress(a);
   check_output_path(a.output, {a.input});
   if (!a.json.empty()) check_output_path(a.json, {a.input, a.output});
   DomainFile file = read_domain_input(a.input, a.taken, false);
@@ -114,6 +177,9 @@ void run(ImproveArguments a) {
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
   for (int i = 0; i < 3; ++i)
     if (a.splits == split_names[i]) a.options.surface_splits = static_cast<SurfaceSplits>(i);
+  for (const std::string& patch : a.locked_patches)
+    a.options.locked_patches.push_back(patch_tag(file, patch));
+  a.options.locked_patches = tags_of_groups(file, 2, a.options.locked_patches, "--lock-patch");
   TetDomain domain(take_tetrahedra(file), options);
   for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
   const TetTopology before = topology_of(domain.tagged());
@@ -161,7 +227,7 @@ void add_improve_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       ->add_option("--edge-length", a->options.edge_length,
-                   "edges far longer are split, far shorter collapsed")
+                   "edges above 4/3 of this are split, below 4/5 collapsed where the surface allows it")
       ->check(positive_number());
   command->add_option("--min-edge-length", a->options.min_edge_length, "no edge is split into shorter ones")
       ->check(positive_number());
@@ -176,6 +242,20 @@ void add_improve_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1e-6, 180.0));
   command->add_option("--lock-region", a->options.locked_regions,
                       "regions that are not touched, by their tags");
+  command->add_option("--lock-patch", a->locked_patches,
+                      "patches whose triangles stay the same ones, by tags or names");
+  command->add_flag("--lock-surface", a->options.lock_surface,
+                    "all triangles of the surface and between regions stay the same ones");
+  command
+      ->add_option("--time-limit", a->options.time_limit, "seconds; the mesh as improved so far is written")
+      ->check(positive_number());
+  command
+      ->add_option(
+          "--max-growth", a->options.max_growth,
+          "no edge is split for quality once the mesh has this many times its tetrahedra (at least 500)")
+      ->check(CLI::Range(1.0, 1e9))
+      ->capture_default_str();
+  command->add_flag("--progress", a->progress, "report on stderr, also if it is no terminal");
   add_weld_options(*command, a->taken);
   add_periodic_option(*command, a->taken);
   command->add_flag("--ascii", a->ascii, "text instead of binary, where the format has both");
@@ -185,8 +265,11 @@ void add_improve_command(CLI::App& app, int& exit_code) {
       "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --json report.json\n\n"
       "The boundary, faces between regions and listed triangles and edges stay what they are. If the target\n"
       "cannot be reached, the result is written all the same, warnings say why, and the exit status is 0.\n"
-      "Elements keep their tags, groups and MEDIT's flags; what the input does not list is not added, but for\n"
-      "curves with --feature-angle.");
+      "Elements keep their tags, groups and MEDIT's flags; what the input does not list is not added, but "
+      "for\n"
+      "curves with --feature-angle. The result is compared with the input before it is written: if it is "
+      "not\n"
+      "the same mesh when its parts are joined, it is kept aside and the exit status is 1.");
   command->callback([a, &exit_code] {
     run(*a);
     exit_code = done;

@@ -7,6 +7,7 @@
 
 #include "multimesh/algorithms/improvement/improver.hpp"
 #include "multimesh/algorithms/improvement/obstacles.hpp"
+#include "multimesh/algorithms/tet_shape.hpp"
 #include "multimesh/error.hpp"
 
 namespace multimesh {
@@ -24,6 +25,8 @@ void check_options(const ImproveOptions& o) {
   require(o.edge_length >= 0 && std::isfinite(o.edge_length), "edge_length must be finite and not negative");
   require(o.min_edge_length >= 0 && std::isfinite(o.min_edge_length),
           "min_edge_length must be finite and not negative");
+  require(o.time_limit >= 0, "time_limit must not be negative");
+  require(o.max_growth >= 1, "max_growth must be at least 1");
 }
 
 void check_input(const Workspace& work) {
@@ -77,21 +80,74 @@ std::size_t count_bad(const Improver& improver) {
   return n;
 }
 
-/// A plain pass, then ones with trials of 1, 2, 4 .. splits, until not even the longest ones help.
-int run(Improver& improver, const ImproveOptions& options) {
-  constexpr int most_trial_splits = 16;
-  int pass = 0, trial_splits = 0;
-  while (pass < options.max_passes) {
-    const std::size_t resized = options.edge_length > 0 ? improver.resize() : 0;
-    if (count_bad(improver) == 0 && resized == 0) break;
-    ++pass;
-    const std::size_t done = improver.pass(trial_splits);
-    if (options.progress) options.progress(pass, count_bad(improver));
-    if (done + resized == 0 && trial_splits == most_trial_splits) break;
-    trial_splits = std::clamp(2 * trial_splits, 1, most_trial_splits);
+/// Tetrahedra that a mesh of this volume and edge length has, about.
+double expected_size(const Workspace& work, double length) {
+  if (length == 0) return 0;
+  double volume = 0;
+  for (Index t = 0; t < work.mesh().capacity(3); ++t) {
+    if (!work.is_live(t)) continue;
+    const Corners c = work.corners(t);
+    volume += six_volume(work.point(c[0]), work.point(c[1]), work.point(c[2]), work.point(c[3])) / 6;
   }
-  return pass;
+  return volume / (length * length * length / (6 * std::sqrt(2)));
 }
+
+class Run {
+ public:
+  Run(Improver& improver, const ImproveOptions& options) : improver_(improver), options_(options) {
+    constexpr double least = 500;
+    const double size = std::max({least, static_cast<double>(improver.work().count_tets()),
+                                  expected_size(improver.work(), options.edge_length)});
+    improver.set_largest_size(static_cast<std::size_t>(std::min(1e18, options.max_growth * size)));
+    if (options.progress) improver.set_tick([this] { tell(); });
+  }
+
+  /// A plain pass, then ones with trials of 1, 2, 4 .. splits, until not even the longest ones help; then
+  /// refinement of all that is bad, as long as that helps.
+  void go(ImproveResult& result) {
+    constexpr int most_trial_splits = 16;
+    for (int trial_splits = 0; is_bad_or_missized() && may_go_on();) {
+      ++pass_;
+      const std::size_t done = improver_.pass(trial_splits);
+      tell();
+      if (done + resized_ == 0 && trial_splits == most_trial_splits) break;
+      trial_splits = std::clamp(2 * trial_splits, 1, most_trial_splits);
+    }
+    while (count_bad(improver_) > 0 && may_go_on() && improver_.refine_and_improve()) {
+      ++pass_;
+      tell();
+    }
+    result.passes = pass_;
+    result.stop = stop();
+  }
+
+ private:
+  bool may_go_on() const { return pass_ < options_.max_passes && !improver_.is_out_of_time(); }
+
+  bool is_bad_or_missized() {
+    if (options_.edge_length > 0 && may_go_on()) resized_ = improver_.resize(pass_ == 0);
+    return count_bad(improver_) > 0 || resized_ > 0;
+  }
+
+  ImproveStop stop() const {
+    if (count_bad(improver_) == 0) return ImproveStop::done;
+    if (improver_.is_out_of_time()) return ImproveStop::time_limit;
+    if (pass_ >= options_.max_passes) return ImproveStop::max_passes;
+    return improver_.was_full() ? ImproveStop::max_growth : ImproveStop::done;
+  }
+
+  void tell() const {
+    if (!options_.progress) return;
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
+    options_.progress({pass_, count_bad(improver_), improver_.work().count_tets(), seconds.count()});
+  }
+
+  Improver& improver_;
+  const ImproveOptions& options_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  int pass_ = 0;
+  std::size_t resized_ = 0;
+};
 
 }  // namespace
 }  // namespace improvement
@@ -104,10 +160,11 @@ ImproveResult improve(TetDomain& domain, const ImproveOptions& options) {
   check_input(improver.work());
   ImproveResult result;
   result.before = measure(improver.work(), options.target_amips);
-  const Obstacles forced(improver.work(), options.surface_splits);
+  const Obstacles& forced = improver.forced();
   result.least_max_amips = forced.bound();
   result.least_max_amips_at = {forced.place()[0], forced.place()[1], forced.place()[2]};
-  result.passes = run(improver, options);
+  Run(improver, options).go(result);
+  if (options.edge_length > 0) result.lengths = improver.measure_lengths();
   result.after = measure(improver.work(), options.target_amips);
   result.target_reached = result.after.above_target == 0;
   result.operations = named(improver.counts());

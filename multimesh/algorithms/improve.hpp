@@ -16,30 +16,44 @@ namespace multimesh {
 enum class SurfaceSplits {
   none,
   exact,    ///< only where surface and curves stay the same sets of points, exactly
-  rounded,  ///< also where the rounding displaces them, by at most half an ulp of each coordinate, unless a
-            ///< face beside the edge is exactly coplanar with its neighbour
+  rounded,  ///< also where the rounding displaces them, by at most half an ulp of each coordinate; faces and
+            ///< curves that are flat up to a few ulps are then flat
+};
+
+/// How far an improvement has come.
+struct ImproveProgress {
+  int pass = 0;
+  std::size_t above_target = 0, tets = 0;
+  double seconds = 0;
 };
 
 struct ImproveOptions {
   /// Stop when no tetrahedron has an AMIPS energy above this. At least 3, that of the regular one.
   double target_amips = 10;
   /// Stop after this many passes over the tetrahedra above the target.
-  int max_passes = 10;
+  int max_passes = 40;
+  /// Stop after this many seconds by the wall clock, with the mesh as improved so far.
+  double time_limit = std::numeric_limits<double>::infinity();
+  /// No edge is split for quality once the mesh has this many times the tetrahedra that it had, or that the
+  /// edge length asks for; meshes of fewer than 500 count as 500. At least 1.
+  double max_growth = 10;
 
   // --- sizes; lengths are those of the points
-  /// Edges longer than 4/3 of this are split, ones shorter than 4/5 collapsed, where quality allows it. 0: as
-  /// they are.
+  /// Edges longer than 4/3 of this are split, whatever becomes of the quality, which is improved afterwards;
+  /// ones shorter than 4/5 are collapsed where quality and surface allow it. 0: as they are.
   double edge_length = 0;
   /// No edge is split that would leave halves shorter than this.
   double min_edge_length = 0;
 
   // --- what stays as it is, besides the places of surface and curves
   SurfaceSplits surface_splits = SurfaceSplits::rounded;
+  bool lock_surface = false;  ///< its vertices, edges and triangles stay the same ones, curves on it too
+  std::vector<TetDomain::Tag> locked_patches = {};  ///< so do those of triangles with these tags
   std::vector<TetDomain::Tag> locked_regions = {};  ///< their tetrahedra are not touched
 
-  /// Called after each pass with the number of tetrahedra above the target; may throw to abandon the run: the
-  /// domain is a valid one then, as improved so far.
-  std::function<void(int pass, std::size_t above_target)> progress = {};
+  /// Called after each pass and about once a second; may throw to abandon the run: the domain is a valid one
+  /// then, as improved so far.
+  std::function<void(const ImproveProgress&)> progress = {};
 };
 
 /// The AMIPS energies of a mesh.
@@ -55,6 +69,21 @@ struct OperationCount {
   std::vector<std::pair<std::string, std::size_t>> refused;  ///< by reason
 };
 
+/// Why an improvement ended.
+enum class ImproveStop {
+  done,        ///< the targets are reached, or nothing helps any more
+  max_passes,  ///< or the other limits of the options
+  max_growth,
+  time_limit,
+};
+
+/// The edges, beside the length that was asked for.
+struct EdgeLengths {
+  double shortest = 0, longest = 0, mean = 0;
+  double share_in_range = 1;  ///< of edges from 4/5 to 4/3 of the length
+  std::size_t too_long = 0;   ///< edges longer than that
+};
+
 /// Why tetrahedra are left above the target: what they have in common, and what that allows at best.
 struct ImproveObstacle {
   std::string reason;
@@ -66,8 +95,10 @@ struct ImproveObstacle {
 
 struct ImproveResult {
   bool target_reached = false;
+  ImproveStop stop = ImproveStop::done;
   int passes = 0;
   TetQuality before, after;
+  EdgeLengths lengths;  ///< after; only if a length was asked for
   std::vector<OperationCount> operations;
   std::vector<ImproveObstacle> obstacles;  ///< empty if the target is reached
   /// No mesh of this domain with these surfaces and curves has a smaller max AMIPS, however it is refined: a

@@ -89,6 +89,88 @@ TEST(ImproveOptions, LockedRegionsAreNotTouched) {
   EXPECT_EQ(kept.fault(domain), "");
 }
 
+/// The triangles of some patches, or of all, by their points.
+std::set<std::set<std::array<double, 3>>> triangles_of(const TaggedTetrahedra& t, TetDomain::Tag patch) {
+  std::set<std::set<std::array<double, 3>>> triangles;
+  for (std::size_t f = 0; f < t.triangles.size(); ++f) {
+    std::set<std::array<double, 3>> points;
+    for (const Index v : t.triangles.facet(f)) points.insert(t.points[v]);
+    if (patch == 0 || t.patches[f] == patch) triangles.insert(points);
+  }
+  return triangles;
+}
+
+TEST(ImproveOptions, LockedPatchesAndSurfacesKeepTheirTriangles) {
+  const Box box = make_box({.squash = 0.9999});
+  ImproveOptions options;
+  options.edge_length = 0.16;
+  options.max_passes = 1;
+  TetDomain free(box.input);
+  improve(free, options);
+  EXPECT_NE(triangles_of(free.tagged(), 3), triangles_of(box.input, 3));
+  options.locked_patches = {3, 11};
+  TetDomain two(box.input);
+  improve(two, options);
+  for (const TetDomain::Tag patch : {3, 11})
+    EXPECT_EQ(triangles_of(two.tagged(), patch), triangles_of(box.input, patch));
+  EXPECT_NE(triangles_of(two.tagged(), 12), triangles_of(box.input, 12));
+  options.lock_surface = true;
+  TetDomain all(box.input);
+  const Kept kept(all);
+  improve(all, options);
+  EXPECT_EQ(triangles_of(all.tagged(), 0), triangles_of(box.input, 0));
+  EXPECT_EQ(kept.fault(all), "");
+}
+
+TEST(ImproveOptions, RequiredSimplicesStay) {
+  Box box = make_box({.squash = 0.9999});
+  box.input.triangle_flags.assign(box.input.triangles.size(), 0);
+  box.input.edge_flags.assign(box.input.edges.size(), required_simplex);
+  for (std::size_t f = 0; f < box.input.triangles.size(); ++f)
+    if (box.input.patches[f] == 3) box.input.triangle_flags[f] = required_simplex;
+  TetDomain domain(box.input);
+  ImproveOptions options;
+  options.edge_length = 0.16;
+  options.max_passes = 1;
+  improve(domain, options);
+  const TaggedTetrahedra after = domain.tagged();
+  EXPECT_EQ(triangles_of(after, 3), triangles_of(box.input, 3));
+  const auto required = [](const TaggedTetrahedra& t) {
+    std::set<std::set<std::array<double, 3>>> edges;
+    for (std::size_t e = 0; e < t.edges.size(); ++e)
+      if (t.edge_flags[e] & required_simplex)
+        edges.insert({t.points[t.edges.facet(e)[0]], t.points[t.edges.facet(e)[1]]});
+    return edges;
+  };
+  EXPECT_EQ(required(after), required(box.input));
+}
+
+TEST(ImproveOptions, TimeAndGrowthEndARun) {
+  const Box box = make_box({.squash = 0.9999});
+  TetDomain domain(box.input);
+  const Kept kept(domain);
+  const ImproveResult late = improve(domain, {.target_amips = 3.1, .time_limit = 1e-9});
+  EXPECT_EQ(late.stop, ImproveStop::time_limit);
+  EXPECT_EQ(kept.fault(domain), "");
+  const ImproveResult full = improve(domain, {.target_amips = 4, .max_passes = 3, .max_growth = 1.5});
+  EXPECT_LT(full.after.tets, 1000U);
+  EXPECT_EQ(kept.fault(domain), "");
+}
+
+TEST(ImproveOptions, LengthAndEnergyAreBothReachedOrMeasured) {
+  for (const double target : {4.0, 10.0}) {
+    TetDomain domain(make_box({.n = 2, .squash = 0.5}).input);
+    const Kept kept(domain);
+    const ImproveResult r = improve(domain, {.target_amips = target, .max_passes = 2, .edge_length = 0.25});
+    const std::vector<double> lengths = edge_lengths(domain);
+    EXPECT_DOUBLE_EQ(r.lengths.longest, lengths.back());
+    EXPECT_DOUBLE_EQ(r.lengths.shortest, lengths.front());
+    EXPECT_EQ(r.lengths.too_long, 0U) << target;
+    EXPECT_LE(lengths.back(), 0.25 * 4 / 3 * (1 + 1e-12)) << target;
+    EXPECT_EQ(kept.fault(domain), "");
+  }
+}
+
 TEST(ImproveOptions, KeepsRegionsAndTheBoundaryThatAreInNoSurface) {
   Box box = make_box({.sheet = false, .curve = false, .squash = 0.9999});
   box.input.triangles.corners.clear();
@@ -115,8 +197,8 @@ TEST(ImproveOptions, ProgressMayAbandonTheRun) {
   const Kept kept(domain);
   ImproveOptions options;
   int calls = 0;
-  options.progress = [&](int pass, std::size_t) {
-    EXPECT_EQ(pass, ++calls);
+  options.progress = [&](const ImproveProgress& p) {
+    EXPECT_EQ(p.pass, ++calls);
     throw std::runtime_error("stop");
   };
   EXPECT_THROW(improve(domain, options), std::runtime_error);

@@ -82,6 +82,25 @@ TEST(ImproveSurface, OfAThinPlateIsRefinedAndExchanged) {
   expect_surface_is_kept(box, domain);
 }
 
+// As files with decimal coordinates have them: walls are plane and edges straight up to rounding only.
+TEST(ImproveSurface, OfATurnedPlateIsRefinedAndExchangedUpToRounding) {
+  for (const double angle : {0.1, 0.7}) {
+    BoxOptions options;
+    options.n = 2;
+    options.sheet = options.curve = options.regions = false;
+    options.squash = 0;
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    turn.topLeftCorner<2, 2>() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    options.map = turn * Vec3(16.1, 15.9, 1).asDiagonal();
+    TetDomain domain(make_box(options).input);
+    const Kept kept(domain);
+    const ImproveResult r = improve(domain);
+    EXPECT_GT(r.before.max_amips, 15);
+    EXPECT_TRUE(r.target_reached) << r.after.max_amips;
+    EXPECT_EQ(kept.fault(domain), "");
+  }
+}
+
 TEST(ImproveSurface, IsNotSplitIfThatIsForbidden) {
   BoxOptions options;
   options.squash = 0.9999;

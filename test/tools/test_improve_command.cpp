@@ -39,6 +39,22 @@ TEST_F(ImproveCommand, InfoDescribesTheMeshInTheFileNotTheCutOne) {
   EXPECT_EQ(m["components"], 1);
 }
 
+TEST_F(ImproveCommand, SaysWhichTargetWasMissed) {
+  const Ended e = run({"improve", data("mini_annulus.msh"), "-o", "out.msh", "--edge-length", "0.05",
+                       "--target-amips", "3.2", "--max-passes", "1", "--json", "report.json"});
+  ASSERT_EQ(e.status, 0) << e.err;
+  const Json r = json("report.json");
+  EXPECT_FALSE(r["target_reached"]);
+  EXPECT_EQ(r["edge_lengths"]["target"], 0.05);
+  EXPECT_TRUE(contains(e.err, "the target was missed")) << e.err;
+  EXPECT_TRUE(r["edge_lengths"]["too_long"] == 0 || contains(e.err, "the edge length was missed")) << e.err;
+  EXPECT_EQ(run({"improve", data("mini22.msh"), "-o", "x.msh", "--lock-patch", "wall"}).status, 1);
+  const Ended late = run({"improve", data("mini22.msh"), "-o", "late.msh", "--target-amips", "3.1",
+                          "--time-limit", "1e-9", "--progress"});
+  EXPECT_EQ(late.status, 0);
+  EXPECT_TRUE(contains(late.err, "--time-limit")) << late.err;
+}
+
 #ifdef MULTIMESH_WITH_TETGEN
 TEST_F(ImproveCommand, KeepsACavityThatTouchesTheOutside) {
   ASSERT_EQ(run({"tetrahedralize", data("cavity_touch.obj"), "-o", "in.msh"}).status, 0);

@@ -31,9 +31,11 @@ double Candidates::star_quality(const std::vector<Corners>& star) const {
 void Candidates::read_edge_state(const Ring& ring) {
   const Held& held = work_.held();
   edge_.curve = held.curve(ring.darts.front());
-  edge_.locked = held.is_copied(ring.darts.front());
+  edge_.locked = held.is_locked_edge(ring.darts.front());
   for (const Dart d : ring.darts) edge_.locked = edge_.locked || held.is_locked_tet(tet::TetMesh::tet(d));
   work_.read_held_faces(ring, edge_.faces);
+  for (const std::size_t i : edge_.faces)
+    edge_.locked = edge_.locked || held.is_locked_face(work_.face_at(ring, i));
 }
 
 // The fan from rim[apex]; of a closed ring without the two tetrahedra at the apex, of an open one without
@@ -52,6 +54,12 @@ double Candidates::fan_quality(const Ring& ring, std::size_t apex, double limit)
   return worst;
 }
 
+bool Candidates::is_fan_too_long(const Ring& ring, std::size_t apex, const Demand& demand) const {
+  const Vec3& x = point(ring.rim[apex]);
+  return std::any_of(ring.rim.begin(), ring.rim.end(),
+                     [&](Index y) { return demand.is_too_long(x, point(y)); });
+}
+
 void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   tried(Kind::edge_swap);
   work_.read_ring(e, ring_);
@@ -60,7 +68,7 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   if (edge_.curve || edge_.locked || (!edge_.is_free() && !surface) || ring_.size() > largest_ring ||
       ring_.rim.size() < 3 ||
       (surface && !may_exchange_diagonals(point(ring_.a), point(ring_.b), point(ring_.rim[edge_.faces[0]]),
-                                          point(ring_.rim[edge_.faces[1]]))))
+                                          point(ring_.rim[edge_.faces[1]]), work_.flatness())))
     return refuse(Kind::edge_swap, Why::held);
   const double before = ring_quality(ring_);
   double limit = std::min(demand.limit(before), best.after);
@@ -68,45 +76,23 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   std::size_t apex = ring_.rim.size();
   for (std::size_t i = 0; i < ring_.rim.size(); ++i) {
     if (surface && i != edge_.faces[0] && i != edge_.faces[1]) continue;
+    if (is_fan_too_long(ring_, i, demand)) continue;
     const double after = fan_quality(ring_, i, limit);
     least = std::min(least, after);
     if (after < limit) limit = after, apex = i;
   }
   if (apex == ring_.rim.size()) return refuse_worse(Kind::edge_swap, least);
-  // (a,b,x,..): the dart at the apex; of the last one of an open ring, the far side of the last tetrahedron.
-  const Dart d =
-      apex == ring_.size() ? work_.mesh().reorder(ring_.darts.back(), transposition(2)) : ring_.darts[apex];
+  const Dart d = work_.face_at(ring_, apex);
   best = {Kind::edge_swap, d, before, limit, Vec3::Zero(), 0, !ring_.closed};
 }
 
-// Where rounding takes the middle off the surface, faces around it that were coplanar are so no longer, and
-// may not be swapped any more: better not split at all there.
-bool Candidates::may_split_held(const Vec3& middle, HeldSplits splits) {
+bool Candidates::may_split_held(const Vec3& middle, HeldSplits splits) const {
   const Vec3 &a = point(ring_.a), &b = point(ring_.b);
-  if (splits == HeldSplits::none) return false;
-  if (collinear(a.data(), middle.data(), b.data())) return true;
-  if (!edge_.curve && edge_.faces.size() == 2 &&
-      lies_flat_split_at(a, b, point(ring_.rim[edge_.faces[0]]), point(ring_.rim[edge_.faces[1]]), middle))
-    return true;
-  return splits == HeldSplits::rounded && !is_beside_flat_face();
-}
-
-bool Candidates::is_beside_flat_face() {
-  for (const std::size_t i : edge_.faces) {
-    const Dart t =
-        i == ring_.size() ? work_.mesh().reorder(ring_.darts.back(), transposition(2)) : ring_.darts[i];
-    for (const Permutation side : {permutation(0, 2, 1, 3), permutation(1, 2, 0, 3)}) {
-      const Dart e = work_.mesh().reorder(t, side);
-      if (work_.held().curve(e)) continue;
-      work_.read_ring(e, other_ring_);
-      work_.read_held_faces(other_ring_, other_faces_);
-      if (other_faces_.size() == 2 &&
-          lies_flat(point(other_ring_.a), point(other_ring_.b), point(other_ring_.rim[other_faces_[0]]),
-                    point(other_ring_.rim[other_faces_[1]])))
-        return true;
-    }
-  }
-  return false;
+  if (splits != HeldSplits::exact) return splits == HeldSplits::rounded;
+  return collinear(a.data(), middle.data(), b.data()) ||
+         (!edge_.curve && edge_.faces.size() == 2 &&
+          lies_flat_split_at(a, b, point(ring_.rim[edge_.faces[0]]), point(ring_.rim[edge_.faces[1]]),
+                             middle));
 }
 
 void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
@@ -124,7 +110,7 @@ void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
     opposite_.push_back({a, y, x});
     opposite_.push_back({b, x, y});
   }
-  const Vec3 place = edge_.is_free() ? best_place(middle, opposite_) : middle;
+  const Vec3 place = edge_.is_free() && !demand.in_middle ? best_place(middle, opposite_) : middle;
   const double limit = std::min(demand.limit(before), best.after);
   const double after = worst_quality(place, opposite_, limit);
   if (!(after < limit)) return refuse_worse(Kind::split, after);
@@ -159,11 +145,9 @@ void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
   const double limit = std::min(demand.limit(before), best.after);
   const double after = merged_quality(b, limit);
   if (!(after < limit)) return refuse_worse(Kind::collapse, after);
-  if (demand.longest < std::numeric_limits<double>::infinity())
-    for (const Corners& c : star_)
-      for (std::size_t i = 1; i < 4; ++i)
-        if (c[i] != b && (point(c[i]) - point(b)).norm() > demand.longest)
-          return refuse(Kind::collapse, Why::length);
+  for (const Corners& c : star_)
+    for (std::size_t i = 1; i < 4; ++i)
+      if (demand.is_too_long(point(c[i]), point(b))) return refuse(Kind::collapse, Why::length);
   if (!is_free && !(place_.read(e) && place_.allows_merging(b))) return refuse(Kind::collapse, Why::held);
   best = {Kind::collapse, e, before, after, Vec3::Zero(), 0, false};
 }
@@ -187,6 +171,7 @@ void Candidates::face_swap(Dart f, const Demand& demand, Candidate& best) {
   if (orient3d(point(x).data(), point(y).data(), point(c[2]).data(), point(w).data()) < 0) std::swap(x, y);
   const double before = std::max(here, there);
   const double limit = std::min(demand.limit(before), best.after);
+  if (demand.is_too_long(point(v), point(w))) return refuse(Kind::face_swap, Why::length);
   double after = 0;
   for (const auto& [p, q] : {std::pair{x, y}, {y, c[2]}, {c[2], x}}) {
     after = std::max(after, work_.quality_of(Corners{p, q, v, w}));
@@ -220,6 +205,9 @@ void Candidates::smoothing(Dart v, const Demand& demand, Candidate& best) {
   const double after = worst_quality(place, opposite_, limit);
   if (!(after < limit)) return refuse_worse(Kind::smoothing, after);
   if (!is_free && !place_.allows(place)) return refuse(Kind::smoothing, Why::held);
+  for (const Corners& c : star_)
+    for (std::size_t i = 1; i < 4; ++i)
+      if (demand.is_too_long(point(c[i]), place)) return refuse(Kind::smoothing, Why::length);
   best = {Kind::smoothing, v, before, after, place, 0, false};
 }
 

@@ -33,7 +33,11 @@ struct Demand {
   double shortest = 0;                                       ///< no new edge is shorter
   double longest = std::numeric_limits<double>::infinity();  ///< no new edge is longer
   HeldSplits held_splits = HeldSplits::rounded;
+  bool in_middle = false;  ///< splits put the new vertex into the middle, not where it is best
 
+  bool is_too_long(const Vec3& p, const Vec3& q) const {
+    return longest < std::numeric_limits<double>::infinity() && (p - q).norm() > longest;
+  }
   double limit(double before) const { return std::max(gain * before, enough); }
 };
 
@@ -62,8 +66,7 @@ class Candidates {
     bool is_free() const { return !curve && !locked && faces.empty(); }
   };
   void read_edge_state(const Ring& ring);
-  bool may_split_held(const Vec3& middle, HeldSplits splits);
-  bool is_beside_flat_face();
+  bool may_split_held(const Vec3& middle, HeldSplits splits) const;
   void refuse(Kind kind, Why why) {
     ++counts_[static_cast<std::size_t>(kind)].refused[static_cast<std::size_t>(why)];
   }
@@ -75,15 +78,15 @@ class Candidates {
   double star_quality(const std::vector<Corners>& star) const;
   double fan_quality(const Ring& ring, std::size_t apex, double limit) const;
   double merged_quality(Index b, double limit) const;
+  bool is_fan_too_long(const Ring& ring, std::size_t apex, const Demand& demand) const;
   void read_opposite(const std::vector<Corners>& star);
   const Vec3& point(Index v) const { return work_.point(v); }
 
   const Workspace& work_;
   Counts& counts_;
   ExactPlace place_;
-  Ring ring_, other_ring_;
+  Ring ring_;
   EdgeState edge_;
-  std::vector<std::size_t> other_faces_;
   std::vector<Corners> star_;
   std::vector<Opposite> opposite_;
 };

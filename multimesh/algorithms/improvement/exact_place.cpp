@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/improvement/exact_place.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <tuple>
 
@@ -19,9 +20,18 @@ int turn_without(int axis, const Vec3& a, const Vec3& b, const Vec3& c) {
   return orient2d(p, q, r);
 }
 
+/// Coordinate axes, that most nearly normal to the triangle's plane first: without that coordinate, signs of
+/// areas are the clearest.
+std::array<int, 3> clearest_axes(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = (b - a).cross(c - a).cwiseAbs();
+  std::array<int, 3> axes{0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(), [&](int i, int j) { return normal[i] > normal[j]; });
+  return axes;
+}
+
 /// Whether (p,b,c), in the plane of (a,b,c), has the same orientation there.
 bool same_turn(const Vec3& a, const Vec3& p, const Vec3& b, const Vec3& c) {
-  for (int axis = 0; axis < 3; ++axis)
+  for (const int axis : clearest_axes(a, b, c))
     if (const int turn = turn_without(axis, a, b, c); turn != 0) return turn_without(axis, p, b, c) == turn;
   return false;  // a triangle without area
 }
@@ -31,10 +41,6 @@ bool between(const Vec3& a, const Vec3& p, const Vec3& b) {
   for (int i = 0; i < 3; ++i)
     if (a[i] != b[i]) return std::min(a[i], b[i]) < p[i] && p[i] < std::max(a[i], b[i]);
   return false;
-}
-
-bool coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return orient3d(a.data(), b.data(), c.data(), d.data()) == 0;
 }
 
 }  // namespace
@@ -87,7 +93,7 @@ void ExactPlace::read_curves() {
 }
 
 bool ExactPlace::curve_is_straight() const {
-  return collinear(point(curve_[0]).data(), point(v_).data(), point(curve_[1]).data()) &&
+  return flatness_.collinear(point(curve_[0]), point(v_), point(curve_[1])) &&
          between(point(curve_[0]), point(v_), point(curve_[1]));
 }
 
@@ -117,8 +123,8 @@ bool ExactPlace::sheets_are_plane() const {
   return std::all_of(faces_.begin(), faces_.end(), [&](const Face& f) {
     const Face& first = faces_[f.sheet];  // sheets are named after their first face
     return (n_curve_edges_ > 0 || f.sheet == 0) &&
-           coplanar(point(v_), point(first.p), point(first.q), point(f.p)) &&
-           coplanar(point(v_), point(first.p), point(first.q), point(f.q));
+           flatness_.coplanar(point(v_), point(first.p), point(first.q), point(f.p)) &&
+           flatness_.coplanar(point(v_), point(first.p), point(first.q), point(f.q));
   });
 }
 
@@ -132,12 +138,13 @@ bool ExactPlace::allows_merging(Index b) const {
 bool ExactPlace::allows(const Vec3& p, Index merged) const {
   if (n_curve_edges_ > 0) {
     const Vec3 &a = point(curve_[0]), &b = point(curve_[1]);
-    if (!collinear(a.data(), p.data(), b.data())) return false;
+    if (!flatness_.collinear(a, p, b)) return false;
     if (merged == no_index && !between(a, p, b)) return false;
   }
   return std::all_of(faces_.begin(), faces_.end(), [&](const Face& f) {
     if (f.p == merged || f.q == merged) return true;
-    return coplanar(point(v_), point(f.p), point(f.q), p) && same_turn(point(v_), p, point(f.p), point(f.q));
+    return flatness_.coplanar(point(v_), point(f.p), point(f.q), p) &&
+           same_turn(point(v_), p, point(f.p), point(f.q));
   });
 }
 
@@ -155,9 +162,9 @@ std::array<bool, 3> ExactPlace::axes() const {
   return free;
 }
 
-bool may_exchange_diagonals(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) {
-  if (!coplanar(a, b, x, y)) return false;
-  for (int axis = 0; axis < 3; ++axis) {
+bool may_exchange_diagonals(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, Flatness flatness) {
+  if (!flatness.coplanar(a, b, x, y)) return false;
+  for (const int axis : clearest_axes(a, b, x)) {
     const int side = turn_without(axis, a, b, x);
     if (side == 0) continue;
     return turn_without(axis, a, b, y) == -side && turn_without(axis, x, y, b) == side &&
@@ -166,16 +173,16 @@ bool may_exchange_diagonals(const Vec3& a, const Vec3& b, const Vec3& x, const V
   return false;
 }
 
-bool lies_flat(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) {
-  if (!coplanar(a, b, x, y)) return false;
-  for (int axis = 0; axis < 3; ++axis)
+bool lies_flat(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, Flatness flatness) {
+  if (!flatness.coplanar(a, b, x, y)) return false;
+  for (const int axis : clearest_axes(a, b, x))
     if (const int side = turn_without(axis, a, b, x); side != 0) return turn_without(axis, a, b, y) == -side;
   return false;
 }
 
 bool lies_flat_split_at(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, const Vec3& m) {
-  return lies_flat(a, b, x, y) && coplanar(a, b, x, m) && same_turn(a, m, b, x) && same_turn(b, m, a, x) &&
-         same_turn(a, m, b, y) && same_turn(b, m, a, y);
+  return lies_flat(a, b, x, y) && Flatness{}.coplanar(a, b, x, m) && same_turn(a, m, b, x) &&
+         same_turn(b, m, a, x) && same_turn(a, m, b, y) && same_turn(b, m, a, y);
 }
 
 }  // namespace multimesh::improvement

@@ -10,10 +10,10 @@ namespace multimesh::improvement {
 
 /// Where a vertex of the surface or of a curve may go so that surface and curves stay the same sets of
 /// points, exactly: within the plane of its faces, if all of them lie in one; along its curve, if that is
-/// straight there and each sheet of the surface at it is plane. All tests are of exact signs.
+/// straight there and each sheet of the surface at it is plane. Plane and straight are what Flatness says.
 class ExactPlace {
  public:
-  explicit ExactPlace(const Workspace& work) : work_(work) {}
+  explicit ExactPlace(const Workspace& work) : work_(work), flatness_(work.flatness()) {}
 
   /// Reads the held faces and curves at the vertex of a dart.
   /// \return false if they are not flat, or it is fixed: it must stay then
@@ -42,6 +42,7 @@ class ExactPlace {
   const Vec3& point(Index v) const { return work_.point(v); }
 
   const Workspace& work_;
+  Flatness flatness_;
   Index v_ = no_index;
   std::vector<Face> faces_;
   std::array<Index, 2> curve_{};  ///< the neighbours along the curve
@@ -51,14 +52,15 @@ class ExactPlace {
 };
 
 /// Whether four points, two of faces (a,b,x) and (a,b,y), may exchange the edge a-b for x-y without changing
-/// the set of points: they are coplanar, and the quadrangle a x b y is strictly convex. Exact.
-bool may_exchange_diagonals(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y);
+/// the set of points: they are coplanar, and the quadrangle a x b y is strictly convex.
+bool may_exchange_diagonals(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y,
+                            Flatness flatness = {});
 
-/// Whether the faces (a,b,x) and (a,b,y) lie in one plane, on different sides of a-b. Exact.
-bool lies_flat(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y);
+/// Whether the faces (a,b,x) and (a,b,y) lie in one plane, on different sides of a-b.
+bool lies_flat(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, Flatness flatness = {});
 
 /// Whether they do, and a vertex at m in place of the middle of a-b leaves their set of points as it is.
-/// Exact.
+/// Exactly.
 bool lies_flat_split_at(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, const Vec3& m);
 
 }  // namespace multimesh::improvement

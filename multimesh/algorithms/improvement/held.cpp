@@ -7,9 +7,15 @@
 
 namespace multimesh::improvement {
 
-Held::Held(const TetDomain& domain, const std::vector<TetDomain::Tag>& locked_regions)
-    : domain_(domain), mesh_(domain.mesh()), locked_regions_(locked_regions), strata_(mesh_.capacity(0), 0) {
+Held::Held(const TetDomain& domain, const ImproveOptions& options)
+    : domain_(domain),
+      mesh_(domain.mesh()),
+      locked_regions_(options.locked_regions),
+      locked_patches_(options.locked_patches),
+      lock_surface_(options.lock_surface),
+      strata_(mesh_.capacity(0), 0) {
   std::sort(locked_regions_.begin(), locked_regions_.end());
+  std::sort(locked_patches_.begin(), locked_patches_.end());
   hold_faces();
   if (domain.curves()) hold_curves();
   for (Index v = 0; v < mesh_.capacity(0); ++v)
@@ -17,8 +23,27 @@ Held::Held(const TetDomain& domain, const std::vector<TetDomain::Tag>& locked_re
 }
 
 bool Held::is_locked_tet(Index t) const {
-  return !locked_regions_.empty() &&
-         std::binary_search(locked_regions_.begin(), locked_regions_.end(), domain_.regions()[t]);
+  return (domain_.flags(3, t) & required_simplex) ||
+         (!locked_regions_.empty() &&
+          std::binary_search(locked_regions_.begin(), locked_regions_.end(), domain_.regions()[t]));
+}
+
+bool Held::is_locked_face(Dart f) const {
+  if (lock_surface_ || !domain_.surface()) return lock_surface_;
+  const Index triangle = domain_.tree().facet_over(*domain_.surface(), f);
+  return triangle != no_index &&
+         ((domain_.flags(2, triangle) & required_simplex) ||
+          std::binary_search(locked_patches_.begin(), locked_patches_.end(), domain_.patch(triangle)));
+}
+
+bool Held::is_locked_edge(Dart e) const {
+  Index v[4];
+  mesh_.vertices(e, v);
+  if (!(strata_[v[0]] & strata_[v[1]] & fixed)) return false;
+  if (domain_.is_copied_edge(e)) return true;
+  if (!(strata_[v[0]] & strata_[v[1]] & on_curve)) return false;
+  const Index edge = domain_.tree().facet_over(*domain_.curves(), e);
+  return edge != no_index && (domain_.flags(1, edge) & required_simplex);
 }
 
 bool Held::is_held_face(Dart f) const {
@@ -48,15 +73,11 @@ void Held::hold_faces() {
     if (is_locked_tet(t))
       for (int i = 0; i < 4; ++i) strata_[v[i]] |= fixed;
     for (const Permutation p : faces_around(3, 2, -1))
-      if (is_held_face(tet::TetMesh::dart(t, p)))
-        for (int i = 0; i < 3; ++i) strata_[v[p[i]]] |= on_face;
+      if (const Dart f = tet::TetMesh::dart(t, p); is_held_face(f)) {
+        const std::uint8_t strata = is_locked_face(f) ? on_face | fixed : on_face;
+        for (int i = 0; i < 3; ++i) strata_[v[p[i]]] |= strata;
+      }
   }
-}
-
-bool Held::is_copied(Dart e) const {
-  Index v[4];
-  mesh_.vertices(e, v);
-  return (strata_[v[0]] & strata_[v[1]] & fixed) && domain_.is_copied_edge(e);
 }
 
 // A vertex is regular if just one vertex of the curves lies over it, and that is no end.
@@ -68,6 +89,11 @@ void Held::hold_curves() {
     std::uint8_t& strata = strata_[mesh_.vertex(domain_.tree().to_root(*domain_.curves(), d))];
     if ((strata & on_curve) || curves.is_boundary(d, 0)) strata |= fixed;
     strata |= on_curve;
+  }
+  for (Index e = 0; e < curves.capacity(1); ++e) {
+    if (!curves.is_live(1, e) || !(domain_.flags(1, e) & required_simplex)) continue;
+    const Dart d = domain_.tree().to_root(*domain_.curves(), curves.dart_of(1, e));
+    for (const Dart end : {d, mesh_.reorder(d, exchange_ends)}) strata_[mesh_.vertex(end)] |= fixed;
   }
 }
 

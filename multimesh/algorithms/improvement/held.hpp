@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "multimesh/algorithms/tet_domain.hpp"
+#include "multimesh/algorithms/improve.hpp"
 
 namespace multimesh::improvement {
 
 /// What must stay, as seen from the tetrahedra: faces of the surface, of the boundary and between regions;
-/// edges of the curves; locked vertices and those of locked regions.
+/// edges of the curves; locked vertices and those of locked faces and regions.
 class Held {
  public:
   enum Stratum : std::uint8_t {
@@ -18,7 +18,7 @@ class Held {
                    ///< curves meet
   };
 
-  Held(const TetDomain& domain, const std::vector<TetDomain::Tag>& locked_regions);
+  Held(const TetDomain& domain, const ImproveOptions& options);
 
   std::uint8_t strata(Index v) const { return strata_[v]; }
   bool is_free(Index v) const { return strata_[v] == 0; }
@@ -33,9 +33,13 @@ class Held {
   bool face(Dart f) const;
   /// Whether the edge of (x,y,..) is on a curve.
   bool curve(Dart e) const;
+  /// Of a locked region, or required by the input.
   bool is_locked_tet(Index t) const;
-  /// Whether the edge of (x,y,..) has copies, or is a side of a face that has: it must stay, see TetDomain.
-  bool is_copied(Dart e) const;
+  /// Whether a held face is locked: neither it nor its sides may be split or swapped.
+  bool is_locked_face(Dart f) const;
+  /// Whether the edge of (x,y,..) is required by the input, or has copies or is a side of a face that has, see
+  /// TetDomain: it must stay.
+  bool is_locked_edge(Dart e) const;
 
  private:
   bool is_held_face(Dart f) const;
@@ -44,7 +48,8 @@ class Held {
 
   const TetDomain& domain_;
   const tet::TetMesh& mesh_;
-  std::vector<TetDomain::Tag> locked_regions_;  // sorted
+  std::vector<TetDomain::Tag> locked_regions_, locked_patches_;  // sorted
+  bool lock_surface_;
   std::vector<std::uint8_t> strata_;
 };
 

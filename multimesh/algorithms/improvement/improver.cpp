@@ -2,8 +2,9 @@
 #include "multimesh/algorithms/improvement/improver.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
+#include "multimesh/algorithms/tet_shape.hpp"
 #include "multimesh/faces.hpp"
 #include "multimesh/tet_sides.hpp"
 
@@ -22,8 +23,11 @@ constexpr double near_bound = 1.1;
 Improver::Improver(TetDomain& domain, const ImproveOptions& options)
     : options_(options),
       limit_(options.target_amips * options.target_amips * options.target_amips),
-      work_(domain, options.locked_regions),
+      work_(domain, options),
+      forced_(work_, options.surface_splits),
+      expected_(work_.mesh().capacity(0)),
       candidates_(work_, counts_) {
+  for (Index v = 0; v < expected_.size(); ++v) expected_[v] = forced_.bound_at(v);
   demand_.shortest = options.min_edge_length;
   demand_.held_splits = static_cast<HeldSplits>(options.surface_splits);
 }
@@ -33,8 +37,14 @@ Improver::Improver(TetDomain& domain, const ImproveOptions& options)
 Dart Improver::apply(const Candidate& c) {
   switch (c.kind) {
     case Kind::split: {
+      const Index a = work_.mesh().vertex(c.dart);
+      const Index b = work_.mesh().vertex(work_.mesh().reorder(c.dart, exchange_ends));
       const Dart halves = work_.split(c.dart, c.place, c.strata);
-      return halves == no_dart ? no_dart : work_.mesh().reorder(halves, exchange_ends);
+      if (halves == no_dart) return no_dart;
+      const Dart at = work_.mesh().reorder(halves, exchange_ends);
+      grade(work_.mesh().vertex(at), a, b);
+      split_at_ = at;
+      return at;
     }
     case Kind::collapse:
       return work_.collapse(c.dart);
@@ -74,6 +84,41 @@ void Improver::changed(Dart v) {
     if (const double q = work_.quality_of(t); q > limit_) queue_.push(t, -q);
 }
 
+// Near what is forced, a mesh of reasonable size cannot be good at once: what must be expected falls off with
+// each bisection.
+void Improver::grade(Index v, Index a, Index b) {
+  if (v >= expected_.size()) expected_.resize(v + v / 2 + 1, 3);
+  expected_[v] = std::sqrt(expected_[a] * expected_[b]);
+}
+
+// The cubed energy from which on a tetrahedron is worth new vertices.
+double Improver::demanded(Index t) const {
+  double expected = 0;
+  for (const Index v : work_.corners(t)) expected = std::max(expected, near_bound * expected_[v]);
+  return std::max(limit_, expected * expected * expected);
+}
+
+bool Improver::may_grow() {
+  constexpr int questions_per_count = 256;
+  if (questions_++ % questions_per_count == 0) size_ = work_.count_tets();
+  const bool full = size_ >= largest_size_;
+  was_full_ = was_full_ || full;
+  return !full;
+}
+
+bool Improver::is_out_of_time() const {
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+  return passed.count() > options_.time_limit;
+}
+
+void Improver::tick() {
+  if (!tick_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - ticked_ < std::chrono::seconds(1)) return;
+  ticked_ = now;
+  tick_();
+}
+
 // --- one tetrahedron -----------------------------------------------------------------------------------
 
 bool Improver::swap_or_collapse(Index t, const Demand& demand) {
@@ -83,7 +128,7 @@ bool Improver::swap_or_collapse(Index t, const Demand& demand) {
     candidates_.face_swap(tet::TetMesh::dart(t, p), demand, best);
   const Corners c = work_.corners(t);
   for (int i = 0; i < 4; ++i) {
-    if (std::find(fresh_.begin(), fresh_.end(), c[i]) != fresh_.end()) continue;
+    if (is_kept(c[i]) || std::find(fresh_.begin(), fresh_.end(), c[i]) != fresh_.end()) continue;
     for (int j = 0; j < 4; ++j)
       if (i != j) candidates_.collapse(Workspace::edge(t, i, j), demand, best);
   }
@@ -131,12 +176,6 @@ bool Improver::attempt(double before, const Start& start) {
     if (work_.is_live(s))
       if (const double q = work_.quality_of(s); q > limit_) queue_.push(s, -q);
   return true;
-}
-
-bool Improver::is_forced(Index t, const Obstacles& obstacles) const {
-  double bound = 0;
-  for (const Index v : work_.corners(t)) bound = std::max(bound, near_bound * obstacles.bound_at(v));
-  return work_.quality_of(t) <= bound * bound * bound;
 }
 
 bool Improver::try_splits(Index t) {
@@ -214,81 +253,101 @@ bool Improver::improve_touched(double limit) {
   return false;
 }
 
-std::size_t Improver::pass(int trial_splits) {
-  const std::size_t done = done_;
-  std::optional<Obstacles> obstacles;
-  if (trial_splits > 0) obstacles.emplace(work_, options_.surface_splits);
+void Improver::push_bad() {
   for (Index t = 0; t < work_.mesh().capacity(3); ++t)
     if (work_.is_live(t))
       if (const double q = work_.quality_of(t); q > limit_) queue_.push(t, -q);
+}
+
+std::size_t Improver::pass(int trial_splits) {
+  const std::size_t done = done_;
+  push_bad();
   EdgeQueue::Entry next;
-  while (queue_.pop(next)) {
+  while (queue_.pop(next) && !is_out_of_time()) {
     const Index t = next.edge;
     if (!work_.is_live(t) || work_.held().is_locked_tet(t) || !(work_.quality_of(t) > limit_)) continue;
-    if (improve_tet(t) || trial_splits == 0 || is_forced(t, *obstacles)) continue;
+    tick();
+    if (swap_or_collapse(t, demand_) || smooth(t, demand_)) continue;
+    if (!(work_.quality_of(t) > demanded(t)) || !may_grow()) continue;
+    if (split(t, demand_) || trial_splits == 0) continue;
     if (!try_splits(t) && trial_splits > 1) try_refinement(t, trial_splits);
   }
   return done_ - done;
 }
 
-// --- sizes ---------------------------------------------------------------------------------------------
+// --- refinement ----------------------------------------------------------------------------------------
 
-// Tetrahedra in the order of their greatest length, as long as that is above 1; `length` gives it, and the
-// edge.
-template <class Length, class Apply>
-std::size_t Improver::sweep_edges(const Length& length, const Apply& apply) {
-  const std::size_t done = done_;
-  EdgeQueue queue;
-  Dart e;
-  const auto push = [&](Index t) {
-    if (const double l = length(t, e); l > 1) queue.push(t, -l);
-  };
-  for (Index t = 0; t < work_.mesh().capacity(3); ++t)
-    if (work_.is_live(t)) push(t);
-  EdgeQueue::Entry next;
-  trying_ = true;  // what changes goes to touched_, not to the queue of bad ones
-  while (queue.pop(next)) {
-    if (!work_.is_live(next.edge) || work_.held().is_locked_tet(next.edge) || !(length(next.edge, e) > 1))
-      continue;
-    touched_.clear();
-    if (!apply(e)) continue;
-    for (const Index t : touched_) push(t);
-  }
-  trying_ = false;
-  fresh_.clear();
-  return done_ - done;
+bool Badness::is_worse_than(const Badness& other) const {
+  constexpr double clearly = 0.97;
+  if (other.worst < clearly * worst) return true;
+  return other.worst <= worst && other.volume < clearly * volume;
 }
 
-std::size_t Improver::resize() {
-  Demand demand = demand_;
-  demand.gain = 1;
-  demand.enough = limit_;
-  const auto extreme = [&](Index t, Dart& e, const auto& measure) {
+Badness Improver::badness() const {
+  Badness b;
+  for (Index t = 0; t < work_.mesh().capacity(3); ++t) {
+    if (!work_.is_live(t) || work_.held().is_locked_tet(t)) continue;
+    const double excess = work_.quality_of(t) / demanded(t);
+    if (!(excess > 1)) continue;
     const Corners c = work_.corners(t);
-    double greatest = 0;
-    for (const auto& [i, j] : edge_corners) {
-      const double m = measure((work_.point(c[i]) - work_.point(c[j])).norm());
-      if (m > greatest) greatest = m, e = Workspace::edge(t, i, j);
-    }
-    return greatest;
-  };
-  const double longest = options_.edge_length * 4 / 3, shortest = options_.edge_length * 4 / 5;
-  std::size_t n =
-      sweep_edges([&](Index t, Dart& e) { return extreme(t, e, [&](double l) { return l / longest; }); },
-                  [&](Dart e) {
-                    Candidate split;
-                    candidates_.split(e, demand, split);
-                    return take(split);
-                  });
-  demand.longest = longest;
-  n += sweep_edges([&](Index t, Dart& e) { return extreme(t, e, [&](double l) { return shortest / l; }); },
-                   [&](Dart e) {
-                     Candidate collapse;
-                     candidates_.collapse(e, demand, collapse);
-                     candidates_.collapse(work_.mesh().reorder(e, exchange_ends), demand, collapse);
-                     return take(collapse);
-                   });
-  return n;
+    b.worst = std::max(b.worst, excess);
+    b.volume += six_volume(work_.point(c[0]), work_.point(c[1]), work_.point(c[2]), work_.point(c[3]));
+  }
+  return b;
+}
+
+void Improver::keep(Index v) {
+  if (v >= kept_.size()) kept_.resize(v + v / 2 + 1, false);
+  kept_[v] = true;
+}
+
+Dart Improver::longest_edge(Index t) const {
+  const Corners c = work_.corners(t);
+  double longest = 0;
+  Dart e = no_dart;
+  for (const auto& [i, j] : edge_corners)
+    if (const double length = (work_.point(c[i]) - work_.point(c[j])).norm(); length > longest)
+      longest = length, e = Workspace::edge(t, i, j);
+  return e;
+}
+
+std::size_t Improver::refine() {
+  Demand daring = demand_;
+  daring.enough = flat;
+  daring.in_middle = true;
+  std::vector<Index> bad;
+  for (Index t = 0; t < work_.mesh().capacity(3); ++t)
+    if (work_.is_live(t) && !work_.held().is_locked_tet(t) && work_.quality_of(t) > demanded(t))
+      bad.push_back(t);
+  std::size_t done = 0;
+  for (const Index t : bad) {
+    if (!work_.is_live(t) || !may_grow()) continue;
+    Candidate split;
+    candidates_.split(longest_edge_near(t), daring, split);
+    if (!take(split)) continue;
+    keep(work_.mesh().vertex(split_at_));
+    ++done;
+  }
+  return done;
+}
+
+bool Improver::refine_and_improve() {
+  constexpr int deepest = 3;
+  Transaction round = work_.operations().transaction();
+  const Counts counts = counts_;
+  const std::size_t done = done_;
+  const Badness before = badness();
+  for (int i = 0; i < deepest && !is_out_of_time() && refine() > 0; ++i) {
+    for (const int trial_splits : {0, 1, 2}) pass(trial_splits);
+    if (!before.is_worse_than(badness())) continue;
+    round.commit();
+    kept_.clear();
+    return true;
+  }
+  kept_.clear();
+  done_ = done;
+  for (std::size_t i = 0; i < n_kinds; ++i) counts_[i].done = counts[i].done;
+  return false;
 }
 
 }  // namespace multimesh::improvement

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
+#include <functional>
+
 #include "multimesh/algorithms/improve.hpp"
 #include "multimesh/algorithms/improvement/candidates.hpp"
 #include "multimesh/algorithms/improvement/obstacles.hpp"
 #include "multimesh/edge_queue.hpp"
 
 namespace multimesh::improvement {
+
+/// How bad a mesh is, but for what the surface forces.
+struct Badness {
+  double worst = 0;   ///< the greatest quality, relative to what is demanded there
+  double volume = 0;  ///< of the tetrahedra above that
+  bool is_worse_than(const Badness& other) const;
+};
 
 /// The loop over bad tetrahedra.
 class Improver {
@@ -17,8 +27,22 @@ class Improver {
   /// splits are tried that make things worse at first, and kept if what follows makes them better than
   /// before. \return how many operations were done
   std::size_t pass(int trial_splits);
+  /// Refines around all bad tetrahedra, whatever comes of it at first, and makes passes on the result. All is
+  /// undone unless the mesh gets better.
+  bool refine_and_improve();
   /// Splits edges that are too long, and collapses short ones. \return how many
-  std::size_t resize();
+  /// \param first quality does not matter for the splits yet
+  std::size_t resize(bool first);
+  /// How many tetrahedra the mesh may have while edges are split for quality.
+  /// Of the mesh as it is, beside the length that was asked for.
+  EdgeLengths measure_lengths() const;
+  void set_largest_size(std::size_t tets) { largest_size_ = tets; }
+  /// Called about once a second.
+  void set_tick(std::function<void()> tick) { tick_ = std::move(tick); }
+  bool is_out_of_time() const;
+  /// Whether splits have been left out because the mesh had grown enough.
+  bool was_full() const { return was_full_; }
+  const Obstacles& forced() const { return forced_; }
 
   const Workspace& work() const { return work_; }
   const Counts& counts() const { return counts_; }
@@ -27,7 +51,16 @@ class Improver {
 
  private:
   bool improve_tet(Index t);
-  bool is_forced(Index t, const Obstacles& obstacles) const;
+  double demanded(Index t) const;
+  void grade(Index v, Index a, Index b);
+  bool may_grow();
+  void tick();
+  void push_bad();
+  std::size_t refine();
+  Dart longest_edge(Index t) const;
+  bool is_kept(Index v) const { return v < kept_.size() && kept_[v]; }
+  void keep(Index v);
+  Badness badness() const;
   bool try_splits(Index t);
   bool try_refinement(Index t, int splits);
   template <class Start>
@@ -43,12 +76,21 @@ class Improver {
   void changed(Dart v);
   bool improve_touched(double limit);
 
-  template <class Length, class Apply>
-  std::size_t sweep_edges(const Length& length, const Apply& apply);
+  template <class Excess, class Apply>
+  std::size_t sweep_edges(const Excess& excess, const Apply& apply);
 
   ImproveOptions options_;
   double limit_;
   Workspace work_;
+  Obstacles forced_;
+  /// Per vertex: the AMIPS energy that must be expected around it.
+  std::vector<double> expected_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), ticked_ = start_;
+  std::size_t largest_size_ = std::numeric_limits<std::size_t>::max();
+  bool was_full_ = false;
+  int questions_ = 0;     ///< whether the mesh may grow
+  std::size_t size_ = 0;  ///< as of a few questions ago
+  std::function<void()> tick_;
   Counts counts_{};
   Candidates candidates_;
   Demand demand_;
@@ -56,6 +98,8 @@ class Improver {
   std::size_t done_ = 0;
   bool trying_ = false;  ///< in a trial: changes go to touched_
   std::vector<Index> touched_, star_;
+  Dart split_at_ = no_dart;   ///< at the vertex of the last split
+  std::vector<bool> kept_;    ///< vertices that refinement made, which may not be collapsed at once
   std::vector<Index> fresh_;  ///< vertices made by the trial, which may not be collapsed at once
   mutable Ring ring_;
 };

@@ -43,6 +43,7 @@ void Obstacles::force(Dart at, const Forced& f) {
 
 // The angle from this face to the next one around the edge, through the tetrahedron of the dart.
 void Obstacles::read_edge(Dart e) {
+  if (work_.held().is_locked_edge(e)) return;
   work_.read_ring(e, ring_);
   work_.read_held_faces(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;
@@ -65,12 +66,13 @@ void Obstacles::read_edge(Dart e) {
 
 bool Obstacles::is_crease(Dart e) {
   if (work_.held().curve(e)) return true;
+  if (work_.held().is_locked_edge(e)) return false;  // of copies, the others are not looked at
   work_.read_ring(e, ring_);
   work_.read_held_faces(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;
   if (held.size() != 2) return true;
   return !lies_flat(work_.point(ring_.a), work_.point(ring_.b), work_.point(ring_.rim[held[0]]),
-                    work_.point(ring_.rim[held[1]]));
+                    work_.point(ring_.rim[held[1]]), work_.flatness());
 }
 
 void Obstacles::read_face(Dart f) {

@@ -27,11 +27,12 @@ constexpr std::size_t from_corner[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0,
 
 }  // namespace
 
-Workspace::Workspace(TetDomain& domain, const std::vector<TetDomain::Tag>& locked_regions)
+Workspace::Workspace(TetDomain& domain, const ImproveOptions& options)
     : domain_(domain),
       mesh_(domain.mesh()),
       points_(domain.points().values),
-      held_(domain, locked_regions),
+      held_(domain, options),
+      flatness_{options.surface_splits == SurfaceSplits::rounded},
       positions_(NodeId::root, points_,
                  [this](Operation operation, const VertexChange& c) -> Vec3 {
                    if (operation == Operation::split) return new_point_;
@@ -41,6 +42,12 @@ Workspace::Workspace(TetDomain& domain, const std::vector<TetDomain::Tag>& locke
       operations_(domain.tree()) {
   operations_.add(positions_);
   operations_.add(joined_);
+}
+
+std::size_t Workspace::count_tets() const {
+  std::size_t n = 0;
+  for (Index t = 0; t < mesh_.capacity(3); ++t) n += is_live(t);
+  return n;
 }
 
 Corners Workspace::corners(Index t, std::size_t first) const {
@@ -72,11 +79,8 @@ void Workspace::read_ring(Dart e, Ring& ring) const {
 void Workspace::read_held_faces(const Ring& ring, std::vector<std::size_t>& faces) const {
   faces.clear();
   if (!(held_.strata(ring.a) & held_.strata(ring.b) & Held::on_face)) return;
-  for (std::size_t i = 0; i < ring.rim.size(); ++i) {
-    const bool last = i == ring.size();  // of an open ring: the far face of the last tetrahedron
-    const Dart d = ring.darts[last ? i - 1 : i];
-    if (held_.face(last ? mesh_.reorder(d, transposition(2)) : d)) faces.push_back(i);
-  }
+  for (std::size_t i = 0; i < ring.rim.size(); ++i)
+    if (held_.face(face_at(ring, i))) faces.push_back(i);
 }
 
 void Workspace::read_star(Dart v, std::vector<Corners>& star) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "multimesh/algorithms/improvement/amips.hpp"
+#include "multimesh/algorithms/improvement/flatness.hpp"
 #include "multimesh/algorithms/improvement/held.hpp"
 #include "multimesh/algorithms/joined_mesh.hpp"
 #include "multimesh/algorithms/tet_domain.hpp"
@@ -35,7 +36,7 @@ struct Ring {
 /// the rule for new points.
 class Workspace {
  public:
-  Workspace(TetDomain& domain, const std::vector<TetDomain::Tag>& locked_regions);
+  Workspace(TetDomain& domain, const ImproveOptions& options);
 
   const tet::TetMesh& mesh() const { return mesh_; }
   const Vec3& point(Index v) const { return points_[v]; }
@@ -43,7 +44,10 @@ class Workspace {
   const Held& held() const { return held_; }
   Propagation& operations() { return operations_; }
 
+  Flatness flatness() const { return flatness_; }
   bool is_live(Index t) const { return mesh_.is_live(3, t); }
+  /// Cost: linear
+  std::size_t count_tets() const;
   /// Of positive orientation, `first` being the first.
   Corners corners(Index t, std::size_t first = 0) const;
   double quality_of(const Corners& c) const {
@@ -54,6 +58,10 @@ class Workspace {
   /// The dart (corner i, corner j, ..) of t.
   static Dart edge(Index t, int i, int j);
   void read_ring(Dart e, Ring& ring) const;
+  /// The dart (a,b,rim[i],..); at the end of an open ring, the far side of the last tetrahedron.
+  Dart face_at(const Ring& ring, std::size_t i) const {
+    return i == ring.size() ? mesh_.reorder(ring.darts.back(), transposition(2)) : ring.darts[i];
+  }
   /// Positions i in the rim for which the face (a,b,rim[i]) is held.
   void read_held_faces(const Ring& ring, std::vector<std::size_t>& faces) const;
   /// The tetrahedra around a vertex, which is the first corner of each. `v`: a dart at it.
@@ -81,6 +89,7 @@ class Workspace {
   tet::TetMesh& mesh_;
   std::vector<Vec3>& points_;
   Held held_;
+  Flatness flatness_;
   Vec3 new_point_ = Vec3::Zero();
   VertexAttribute<Vec3> positions_;
   KeepsJoinedMesh joined_;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/improvement/flatness.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+#include "multimesh/orient3d.hpp"
+
+namespace multimesh::improvement {
+
+namespace {
+
+/// Distances of points whose coordinates are rounded a few times.
+double rounding_of(std::initializer_list<const Vec3*> points) {
+  constexpr double units = 4;
+  double largest = 0;
+  for (const Vec3* p : points) largest = std::max(largest, p->cwiseAbs().maxCoeff());
+  return units * std::numeric_limits<double>::epsilon() * largest;
+}
+
+double doubled_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b - a).cross(c - a).norm();
+}
+
+}  // namespace
+
+// The smallest height of the tetrahedron is that over its largest face.
+bool Flatness::coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
+  if (orient3d(a.data(), b.data(), c.data(), d.data()) == 0) return true;
+  if (!rounded) return false;
+  const double volume = std::abs((b - a).cross(c - a).dot(d - a));
+  const double area =
+      std::max({doubled_area(a, b, c), doubled_area(a, b, d), doubled_area(a, c, d), doubled_area(b, c, d)});
+  return volume <= area * rounding_of({&a, &b, &c, &d});
+}
+
+bool Flatness::collinear(const Vec3& a, const Vec3& b, const Vec3& c) const {
+  if (multimesh::collinear(a.data(), b.data(), c.data())) return true;
+  if (!rounded) return false;
+  const double longest = std::max({(b - a).norm(), (c - a).norm(), (c - b).norm()});
+  return doubled_area(a, b, c) <= longest * rounding_of({&a, &b, &c});
+}
+
+}  // namespace multimesh::improvement
