@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -10,26 +11,107 @@
 
 namespace multimesh {
 
+/// In place of a dimension: values on the corners of facets.
+inline constexpr int corners = -1;
+
 /// Values on one mesh that follow the operations. Writes are undone with the transaction.
 class Attribute {
  public:
   using Mark = std::size_t;
-  explicit Attribute(NodeId node) : node_(node) {}
+  /// `dimension`: of the simplices that have the values, or `corners`.
+  explicit Attribute(NodeId node, int dimension = 0) : node_(node), dimension_(dimension) {}
   virtual ~Attribute() = default;
   Attribute(const Attribute&) = delete;
   Attribute& operator=(const Attribute&) = delete;
 
   NodeId node() const noexcept { return node_; }
+  int dimension() const noexcept { return dimension_; }
+  /// How many values there must be.
+  std::size_t slots(const Mesh& mesh) const {
+    return dimension_ == corners ? mesh.corner_capacity() : mesh.capacity(dimension_);
+  }
   /// Called once per copy and operation, after the connectivity of all meshes has changed, root first.
   virtual void update(Operation operation, const VertexChange& change) = 0;
-  /// Called once per operation, after all updates: for values on other simplices than vertices (corners, edges).
+  /// Called once per operation, after all updates: for values on other simplices than vertices (corners,
+  /// edges).
   virtual void finish(const Event&) {}
   virtual Mark mark() const = 0;
   virtual void rollback(Mark mark) = 0;
   virtual void forget() = 0;
 
+  /// \throw UsageError if there are fewer values than this, or, `exactly`, others. Asked before each
+  /// operation
+  virtual void require_size(std::size_t /*slots*/, bool /*exactly*/ = false) const {}
+  /// Grows to this many values: called when the mesh has. Journaled
+  virtual void grow(std::size_t /*slots*/) {}
+
  private:
   NodeId node_;
+  int dimension_;
+};
+
+/// Values in a std::vector, one per slot of its kind of simplex, and their journal. The vector may be one
+/// that grows and is compacted with its mesh (an OpenMesh property's data_vector()), or any other: that grows
+/// with the operations; after MultiMesh::compact() or resync() the caller has to move its values as those
+/// tell, and to resize it, before the next operation.
+template <class T>
+class ValueAttribute : public Attribute {
+ public:
+  using Reference = typename std::vector<T>::const_reference;
+
+  const std::vector<T>& values() const noexcept { return *values_; }
+  Reference operator[](Index i) const { return (*values_)[i]; }
+
+  /// A journaled write; use it instead of writing to the vector inside transactions.
+  void set(Index i, T value) {
+    undo_.emplace_back(i, T((*values_)[i]));
+    (*values_)[i] = std::move(value);
+  }
+
+  Mark mark() const override { return undo_.size() + sizes_.size(); }
+  void rollback(Mark mark) override {
+    while (undo_.size() + sizes_.size() > mark) {
+      if (!sizes_.empty() && sizes_.back().writes == undo_.size()) {
+        values_->resize(sizes_.back().size);
+        sizes_.pop_back();
+        continue;
+      }
+      auto& [i, old] = undo_.back();
+      if (i < values_->size()) (*values_)[i] = std::move(old);  // else it was popped with its simplex
+      undo_.pop_back();
+    }
+  }
+  void forget() override {
+    undo_.clear();
+    sizes_.clear();
+  }
+
+  void require_size(std::size_t slots, bool exactly) const override {
+    if (values_->size() < slots || (exactly && values_->size() != slots)) refuse_size(slots);
+  }
+  void grow(std::size_t slots) override {
+    if (values_->size() >= slots) return;
+    sizes_.push_back({undo_.size(), values_->size()});
+    values_->resize(slots);
+  }
+
+ protected:
+  ValueAttribute(NodeId node, int dimension, std::vector<T>& values)
+      : Attribute(node, dimension), values_(&values) {}
+
+ private:
+  [[noreturn]] void refuse_size(std::size_t slots) const {
+    throw UsageError("an attribute of mesh " + std::to_string(index(node())) + " has " +
+                     std::to_string(values_->size()) + " values, not " + std::to_string(slots) +
+                     ", one per slot; where a mesh was compacted, move them as compact() tells");
+  }
+
+  std::vector<T>* values_;
+  std::vector<std::pair<Index, T>> undo_;
+  struct Resized {
+    std::size_t writes, size;  // after so many writes, from this size
+  };
+  std::vector<Resized> sizes_;
 };
 
 /// Types with a weighted mean; others take the value of the nearer end.
@@ -38,28 +120,28 @@ concept Interpolable = !std::is_integral_v<T> && requires(const T& a) {
   T(a * 0.5 + a * 0.5);
 };
 
-/// A vertex attribute over a std::vector that grows with its mesh (an OpenMesh property's data_vector()).
-/// The default rule interpolates: (1-t) a + t b at the new or merged vertex. Another rule may be given,
-/// per attribute, for instance one that pulls the value from the parent's mesh:
+/// (1-t) a + t b; the nearer one of types without a mean.
+template <class T>
+T interpolated(const T& a, const T& b, double t) {
+  if (t <= 0 || t >= 1) return t <= 0 ? a : b;
+  if constexpr (Interpolable<T>) {
+    return T(a * (1.0 - t) + b * t);
+  } else {
+    return t < 0.5 ? a : b;
+  }
+}
+
+/// A vertex attribute. The default rule interpolates: (1-t) a + t b at the new or merged vertex. Another rule
+/// may be given, per attribute, for instance one that pulls the value from the parent's mesh:
 ///   [&](Operation, const VertexChange& c) { return parent_values[c.above]; }
 /// A rule only reads: invariants ask it, by result(), what the vertex would get.
 template <class T>
-class VertexAttribute final : public Attribute {
+class VertexAttribute final : public ValueAttribute<T> {
  public:
   using Rule = std::function<T(Operation, const VertexChange&)>;
 
-  VertexAttribute(NodeId node, std::vector<T>& values) : Attribute(node), values_(&values) {}
-  VertexAttribute(NodeId node, std::vector<T>& values, Rule rule)
-      : Attribute(node), values_(&values), rule_(std::move(rule)) {}
-
-  const std::vector<T>& values() const noexcept { return *values_; }
-  const T& operator[](Index v) const { return (*values_)[v]; }
-
-  /// A journaled write; use it instead of writing to the vector inside transactions.
-  void set(Index v, T value) {
-    undo_.emplace_back(v, (*values_)[v]);
-    (*values_)[v] = std::move(value);
-  }
+  VertexAttribute(NodeId node, std::vector<T>& values, Rule rule = {})
+      : ValueAttribute<T>(node, 0, values), rule_(std::move(rule)) {}
 
   /// What the new or merged vertex of a split or collapse gets; may be asked before it is done.
   T result(Operation operation, const VertexChange& c) const {
@@ -67,34 +149,18 @@ class VertexAttribute final : public Attribute {
   }
   /// The default rule.
   T interpolated(const VertexChange& c) const {
-    const Index same = c.t <= 0 ? c.a : c.t >= 1 ? c.b : no_index;
-    if constexpr (Interpolable<T>) {
-      if (same == no_index) return T((*values_)[c.a] * (1.0 - c.t) + (*values_)[c.b] * c.t);
-    }
-    return (*values_)[same != no_index ? same : c.t < 0.5 ? c.a : c.b];
+    return multimesh::interpolated<T>((*this)[c.a], (*this)[c.b], c.t);
   }
 
   void update(Operation operation, const VertexChange& c) override {
-    if (rule_) return set(c.vertex, rule_(operation, c));
+    if (rule_) return this->set(c.vertex, rule_(operation, c));
     if (operation == Operation::relocate || operation == Operation::flip) return;
     if ((c.t <= 0 ? c.a : c.t >= 1 ? c.b : no_index) == c.vertex) return;
-    set(c.vertex, interpolated(c));
+    this->set(c.vertex, interpolated(c));
   }
-
-  Mark mark() const override { return undo_.size(); }
-  void rollback(Mark mark) override {
-    while (undo_.size() > mark) {
-      auto& [v, old] = undo_.back();
-      if (v < values_->size()) (*values_)[v] = std::move(old);  // else it was popped with its vertex
-      undo_.pop_back();
-    }
-  }
-  void forget() override { undo_.clear(); }
 
  private:
-  std::vector<T>* values_;
   Rule rule_;
-  std::vector<std::pair<Index, T>> undo_;
 };
 
 }  // namespace multimesh

@@ -15,7 +15,7 @@ void Copies::collect(const MultiMesh& tree, Dart d, int k) {
       const Range above = ranges_[index(tree.parent(n))];
       for (std::uint32_t i = above.first; i < above.first + above.count; ++i) {
         found_.clear();
-        tree.to_child(n, list_[i].dart, k, found_);
+        tree.preimages(n, list_[i].dart, k, found_);
         for (const Dart e : found_) list_.push_back({n, e, i});
       }
     }

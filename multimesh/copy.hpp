@@ -23,9 +23,10 @@ class Copies {
 
   std::span<const Copy> all() const noexcept { return list_; }
   std::span<Copy> all() noexcept { return list_; }
+  /// Those in one mesh; none in a mesh that was not there, or is not any more.
   std::span<const Copy> of(NodeId n) const noexcept { return {list_.data() + first(n), count(n)}; }
-  std::uint32_t first(NodeId n) const noexcept { return ranges_[index(n)].first; }
-  std::uint32_t count(NodeId n) const noexcept { return ranges_[index(n)].count; }
+  std::uint32_t first(NodeId n) const noexcept { return range(n).first; }
+  std::uint32_t count(NodeId n) const noexcept { return range(n).count; }
   std::size_t size() const noexcept { return list_.size(); }
   const Copy& operator[](std::size_t i) const noexcept { return list_[i]; }
 
@@ -33,6 +34,7 @@ class Copies {
   struct Range {
     std::uint32_t first = 0, count = 0;
   };
+  Range range(NodeId n) const noexcept { return index(n) < ranges_.size() ? ranges_[index(n)] : Range{}; }
   std::vector<Copy> list_;
   std::vector<Range> ranges_;
   DartBuffer found_;

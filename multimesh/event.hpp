@@ -17,6 +17,43 @@ struct VertexChange {
   Index above;  ///< the image of `vertex` in the parent's mesh; no_index in the root
 };
 
+/// What an operation did to simplices of dimension 1 and more of one mesh, where they have indices that last
+/// (Mesh::stores). Values of what died can still be read.
+struct SimplexChange {
+  enum class Kind : std::uint8_t {
+    halved,   ///< split: `first` is the half at a, `second` the half at b; one of them is in the place of
+              ///< `whole`
+    merged,   ///< collapse: `second` died, it and `first` are one simplex now
+    fresh,    ///< split: `first` is new, and no part of a simplex of its dimension
+    swapped,  ///< swap: `first` is the new edge in the place of the old one (`second`: itself), or the facet
+              ///< that lost b of the facets a-b-l, b-a-r, and `second` the one that lost a
+  };
+  NodeId node;
+  int k;
+  Kind kind;
+  Index first, second = no_index;
+  Index whole = no_index;  ///< halved: which of the two has the value
+  /// Merged: the values of `second` go before those of `first`, because it lies in a mesh of dimension k
+  /// below and `first` does not.
+  bool second_wins = false;
+  double share = 0;  ///< merged: the part of `second` in the simplex, 0 .. 1
+};
+
+/// The value of a corner (Mesh::corner) that an operation put into another place. All `from` of one copy are
+/// read before any `to` is written.
+struct CornerChange {
+  NodeId node;
+  std::uint32_t copy;
+  Index to, from;
+  /// At the new vertex of a split: the corners of the whole facet at a and b. Else no_index.
+  Index a = no_index, b = no_index;
+};
+
+struct Changes {
+  std::vector<SimplexChange> simplices;
+  std::vector<CornerChange> corners;
+};
+
 /// An operation as attributes and invariants see it: which edge (or vertex) it is, in every mesh.
 ///
 /// Before: the darts are (a, b, ...) of each copy of the edge. After a split they are (a, c, ...), after a
@@ -29,6 +66,8 @@ struct Event {
   /// that attributes never come apart. Those with a rule of their own may go elsewhere: ask them
   /// (VertexAttribute::result). 0 <= t <= 1.
   double t = 0.5;
+  /// Of simplices and corners, once all meshes have changed; kept only if an attribute has values there.
+  const Changes* changes = nullptr;
 
   /// Before a collapse: what it will do to copy i, whose end b survives.
   VertexChange collapse_of(std::size_t i) const {

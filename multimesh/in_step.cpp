@@ -55,7 +55,7 @@ void MultiMesh::require_in_step() const {
 // Elements are followed by their names. Whether the maps still are maps, only they can tell: what has gone,
 // or has come beside, is not seen from what is left.
 std::vector<Compaction> MultiMesh::resync() {
-  if (open_transactions_ > 0) throw UsageError("resync inside a transaction");
+  require_closed("resync");
   std::vector<Compaction> moved(nodes_.size());
   for (const NodeId n : top_down_)
     if (auto of_mesh = mesh(n).renumbering()) moved[index(n)] = std::move(*of_mesh);

@@ -78,7 +78,7 @@ Index end_vertex(const Mesh& mesh, Dart e, End end) {
 // Whether an end of an edge has a preimage in a mesh below that no preimage of the edge has.
 bool Legality::unmatched(const MultiMesh& tree, std::span<const Copy> over, NodeId from, NodeId below_node,
                          Dart at_end, End end) {
-  if (over.empty()) return tree.has_preimage(from, at_end, 0, below_node);
+  if (over.empty()) return tree.is_covered(from, at_end, 0, below_node);
   const Mesh& below = tree.mesh(below_node);
   // An interior vertex of a mesh of the same dimension covers the whole star of its image: it is the only
   // preimage.
@@ -86,7 +86,7 @@ bool Legality::unmatched(const MultiMesh& tree, std::span<const Copy> over, Node
     for (const Copy& c : over)
       if (!below.is_boundary(end == End::a ? c.dart : below.reorder(c.dart, exchange_ends), 0)) return false;
   found_.clear();
-  tree.to_descendant(from, at_end, 0, below_node, found_);
+  tree.preimages_below(from, at_end, 0, below_node, found_);
   return std::any_of(found_.begin(), found_.end(), [&](Dart v) {
     return std::none_of(over.begin(), over.end(),
                         [&](const Copy& c) { return end_vertex(below, c.dart, end) == below.vertex(v); });
@@ -102,7 +102,7 @@ bool Legality::link_gluing(const MultiMesh& tree, const Copy& e, NodeId below_no
   const int d = above.dimension();
   const auto has_unmatched = [&](Dart side, Permutation in_facet, int k) {
     unmatched_.clear();
-    tree.to_descendant(e.node, side, k, below_node, unmatched_);
+    tree.preimages_below(e.node, side, k, below_node, unmatched_);
     return std::any_of(unmatched_.begin(), unmatched_.end(), [&](Dart s) {
       return std::none_of(found_.begin(), found_.end(), [&](Dart whole) {
         return below.same_simplex(s, below.reorder(whole, in_facet), k);
@@ -116,9 +116,9 @@ bool Legality::link_gluing(const MultiMesh& tree, const Copy& e, NodeId below_no
         const Dart whole = above.reorder(t, p);  // begins with a, b, x
         found_.clear();
         if (k + 1 == d) {
-          if (tree.has_preimage(e.node, whole, d, below_node)) continue;
+          if (tree.is_covered(e.node, whole, d, below_node)) continue;
         } else if (k < below.dimension()) {
-          tree.to_descendant(e.node, whole, k + 1, below_node, found_);
+          tree.preimages_below(e.node, whole, k + 1, below_node, found_);
         }
         if (has_unmatched(above.reorder(whole, without_b(k)), without_b(k), k) &&
             has_unmatched(above.reorder(whole, without_a(k)), without_a(k), k))
@@ -190,7 +190,7 @@ bool Legality::no_contact(const MultiMesh& tree, const Copies& copies, std::uint
     };
     compare([&](Dart d, int j) { return j < mesh.dimension() && mesh.is_boundary(d, j); });
     for (const NodeId child : children)
-      compare([&](Dart d, int j) { return tree.has_preimage(e.node, d, j, child); });
+      compare([&](Dart d, int j) { return tree.is_covered(e.node, d, j, child); });
     return extra_a && extra_b;
   };
   bool touches = new_contact(e.dart, mesh.reorder(e.dart, exchange_ends), e.dart, 0);

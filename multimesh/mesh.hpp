@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -45,6 +47,27 @@ struct CollapseRecord {
   Index dead = no_index, survivor = no_index;  ///< vertices a and b
   Dart at_survivor = no_dart;                  ///< a dart at b in a live facet
   std::vector<std::uint32_t> words;            ///< the mesh's own notes for after_collapse
+};
+
+/// How values on simplices that a collapse of (a,b) makes one of two are chosen: for each x of the link of
+/// the edge, those of a-x and b-x; in dimension 3 also those of a-x-y and b-x-y.
+struct Merging {
+  /// Where the merged vertex goes: the point (1-t) a + t b.
+  double t = 1;
+  /// Those at b stay, with or without a value: a is a vertex that this very operation had put in.
+  bool keep_b = false;
+  /// The x, and x-y, where those at a go before those at b: a mesh below has a-x, and not b-x.
+  std::vector<std::array<Index, 2>> a_wins;  // sorted vertices; no_index second: an edge
+
+  static std::array<Index, 2> key(Index x, Index y) { return {std::min(x, y), std::max(x, y)}; }
+  bool wins(Index x, Index y = no_index) const {
+    return std::find(a_wins.begin(), a_wins.end(), key(x, y)) != a_wins.end();
+  }
+  void add_winner(Index x, Index y) { a_wins.push_back(key(x, y)); }
+  void rename(Index old, Index now) {
+    for (auto& k : a_wins)
+      if (k[0] == old || k[1] == old) k = key(k[0] == old ? now : k[0], k[1] == old ? now : k[1]);
+  }
 };
 
 /// Which facets an edge collapse would touch: one dart per facet, before the operation.
@@ -101,6 +124,13 @@ class Mesh {
   /// Whether the k-simplices of two darts are the same one.
   virtual bool same_simplex(Dart d, Dart e, int k) const { return simplex(d, k) == simplex(e, k); }
 
+  /// Whether the index of a k-simplex lasts until it dies, so that values can be stored by it.
+  virtual bool stores(int k) const { return dimension_ < 3 || k == 0 || k == dimension_; }
+  /// The corner of the facet of d at the vertex of d, for values that are stored by corners; no_index if the
+  /// mesh stores none.
+  virtual Index corner(Dart) const { return no_index; }
+  virtual Index corner_capacity() const { return 0; }
+
   Index vertex(Dart d) const { return simplex(d, 0); }
   Index facet(Dart d) const { return simplex(d, dimension_); }
 
@@ -109,7 +139,8 @@ class Mesh {
   virtual void star(Dart d, int k, DartBuffer& out) const = 0;
   /// Whether the k-simplex of d (k < dimension) lies in the boundary of the mesh.
   virtual bool is_boundary(Dart d, int k) const = 0;
-  /// A label on an isolated point that must keep its place (a guard: docs/concepts.md#when-a-collapse-is-legal).
+  /// A label on an isolated point that must keep its place (a guard:
+  /// docs/concepts.md#when-a-collapse-is-legal).
   virtual bool is_locked(Index vertex) const = 0;
 
   // --- local operations; e = (a, b, ...)
@@ -129,6 +160,13 @@ class Mesh {
   virtual bool can_flip(Dart) const { return false; }
   /// Replaces e=(a,b) by (l,r). The darts on the four outer edges keep their codes. \pre can_flip(e)
   virtual void flip_edge(Dart) {}
+
+  // --- values that the mesh itself keeps; others are attributes
+  /// Whether there are some on k-simplices, 0 < k < dimension.
+  virtual bool has_values(int /*k*/) const { return false; }
+  /// Before collapse_edge(e): of the values on simplices that will be one, those that the merged one keeps
+  /// are put where it finds them. Journaled.
+  virtual void merge_values(Dart /*e*/, const Merging&) {}
 
   // --- journal
   virtual Mark mark() const = 0;

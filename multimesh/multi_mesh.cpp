@@ -57,11 +57,50 @@ NodeId MultiMesh::lowest_common_ancestor(NodeId a, NodeId b) const {
   return a;
 }
 
+namespace {
+
+[[noreturn]] void refuse_dart(NodeId n, Dart d) {
+  throw UsageError("dart " + std::to_string(code(d)) + " is not a live dart of mesh " +
+                   std::to_string(index(n)) + "; darts die in operations and in compact()");
+}
+
+}  // namespace
+
 void MultiMesh::require_dart(NodeId n, Dart d) const {
   require_same_counts();
-  if (!mesh(n).is_dart(d))
-    throw UsageError("dart " + std::to_string(code(d)) + " is not a live dart of mesh " +
-                     std::to_string(index(n)) + "; darts die in operations and in compact()");
+  if (!mesh(n).is_dart(d)) refuse_dart(n, d);
+}
+
+// What is not alive cannot be walked from. Whether others have edited the mesh is not asked here.
+void MultiMesh::require_simplex(NodeId n, Dart d, int k) const {
+  const Mesh& m = mesh(n);
+  if (!m.is_dart(d)) refuse_dart(n, d);
+  if (k < 0 || k > m.dimension())
+    throw UsageError("mesh " + std::to_string(index(n)) + " of dimension " + std::to_string(m.dimension()) +
+                     " has no simplices of dimension " + std::to_string(k));
+}
+
+void MultiMesh::require_below(NodeId descendant, NodeId ancestor) const {
+  NodeId n = descendant;
+  (void)node(ancestor);
+  while (n != ancestor && n != NodeId::root) n = parent(n);
+  if (n != ancestor)
+    throw UsageError("mesh " + std::to_string(index(descendant)) + " is not below mesh " +
+                     std::to_string(index(ancestor)));
+}
+
+void MultiMesh::require_idle(std::string_view what) const {
+  if (operating_)
+    throw UsageError(
+        std::string(what) +
+        " in the middle of an operation: invariants, rules of attributes, choosers and hooks may only read, "
+        "and write by VertexAttribute::set; do it when the operation has returned");
+}
+
+void MultiMesh::require_closed(std::string_view what) const {
+  require_idle(what);
+  if (open_transactions_ > 0)
+    throw UsageError(std::string(what) + " inside a transaction; do it before, or after its end");
 }
 
 namespace {
@@ -116,7 +155,7 @@ void check_vertex_images(const Mesh& parent, const Mesh& child, std::span<const 
 
 NodeId MultiMesh::add_child(NodeId parent, std::unique_ptr<Mesh> child, std::span<const Anchor> anchors) {
   if (!child) throw UsageError("add_child: the child is null");
-  if (open_transactions_ > 0) throw UsageError("add_child inside a transaction");
+  require_closed("add_child");
   Mesh& above = mesh(parent);
   check_anchors(above, *child, anchors);
   check_vertex_images(above, *child, anchors);
@@ -153,7 +192,7 @@ void MultiMesh::unlink_from_parent(NodeId n) {
 
 MultiMesh MultiMesh::detach(NodeId child) {
   if (child == NodeId::root) throw UsageError("the root cannot be detached");
-  if (open_transactions_ > 0) throw UsageError("detach inside a transaction");
+  require_closed("detach");
   unlink_from_parent(child);
   node(child).mesh->remove_anchors();
 
@@ -173,11 +212,31 @@ MultiMesh MultiMesh::detach(NodeId child) {
   return tree;
 }
 
-Dart MultiMesh::to_parent(NodeId child, Dart d) const {
+Anchor MultiMesh::anchor(NodeId child, Index facet) const {
+  (void)parent(child);
+  const Mesh& m = mesh(child);
+  if (!m.is_live(m.dimension(), facet))
+    throw UsageError("facet " + std::to_string(facet) + " of mesh " + std::to_string(index(child)) +
+                     " is not alive");
+  return m.anchor(facet);
+}
+
+Index MultiMesh::facet_over(NodeId child, Dart d) const {
+  require_simplex(parent(child), d, 0);
+  return link_of(child, d);
+}
+
+Dart MultiMesh::image(NodeId child, Dart d) const {
   const Node& c = nodes_[index(child)];
   const Mesh& below = *c.mesh;
   const Anchor a = below.anchor(below.facet(d));
   return nodes_[index(c.parent)].mesh->reorder(a.parent, below.order(a.own, d));
+}
+
+Dart MultiMesh::to_parent(NodeId child, Dart d) const {
+  (void)parent(child);
+  require_simplex(child, d, 0);
+  return image(child, d);
 }
 
 Dart MultiMesh::to_root(NodeId n, Dart d) const {
@@ -185,7 +244,9 @@ Dart MultiMesh::to_root(NodeId n, Dart d) const {
 }
 
 Dart MultiMesh::to_ancestor(NodeId n, Dart d, NodeId ancestor) const {
-  for (; n != ancestor; n = parent(n)) d = to_parent(n, d);
+  require_simplex(n, d, 0);
+  require_below(n, ancestor);
+  for (; n != ancestor; n = nodes_[index(n)].parent) d = image(n, d);
   return d;
 }
 
@@ -209,6 +270,7 @@ Dart lift(const Mesh& above, const Mesh& below, Index f, Dart d) {
 }  // namespace
 
 Dart MultiMesh::facet_copy(NodeId child, Dart d) const {
+  require_simplex(parent(child), d, 0);
   const Node& c = nodes_[index(child)];
   const Mesh& above = *nodes_[index(c.parent)].mesh;
   const Index f = above.link(c.links, d);
@@ -216,6 +278,11 @@ Dart MultiMesh::facet_copy(NodeId child, Dart d) const {
 }
 
 void MultiMesh::to_child(NodeId child, Dart d, int k, DartBuffer& out) const {
+  require_simplex(parent(child), d, k);
+  preimages(child, d, k, out);
+}
+
+void MultiMesh::preimages(NodeId child, Dart d, int k, DartBuffer& out) const {
   const Node& c = nodes_[index(child)];
   const Mesh& below = *c.mesh;
   const Mesh& above = *nodes_[index(c.parent)].mesh;
@@ -239,34 +306,50 @@ void MultiMesh::to_child(NodeId child, Dart d, int k, DartBuffer& out) const {
 }
 
 void MultiMesh::to_descendant(NodeId from, Dart d, int k, NodeId descendant, DartBuffer& out) const {
+  require_simplex(from, d, k);
+  require_below(descendant, from);
+  preimages_below(from, d, k, descendant, out);
+}
+
+void MultiMesh::preimages_below(NodeId from, Dart d, int k, NodeId descendant, DartBuffer& out) const {
   if (from == descendant) {
     out.push_back(d);
     return;
   }
-  if (parent(descendant) == from) return to_child(descendant, d, k, out);
+  if (parent(descendant) == from) return preimages(descendant, d, k, out);
   NodeId step = descendant;
   while (parent(step) != from) step = parent(step);
   DartBuffer here;
-  to_child(step, d, k, here);
-  for (const Dart e : here) to_descendant(step, e, k, descendant, out);
+  preimages(step, d, k, here);
+  for (const Dart e : here) preimages_below(step, e, k, descendant, out);
 }
 
 void MultiMesh::map(NodeId from, Dart d, int k, NodeId to, Via via, DartBuffer& out) const {
   require_dart(from, d);
+  require_simplex(from, d, k);
   const NodeId top = via == Via::root ? NodeId::root : lowest_common_ancestor(from, to);
-  to_descendant(top, to_ancestor(from, d, top), k, to, out);
+  require_below(to, top);
+  preimages_below(top, to_ancestor(from, d, top), k, to, out);
 }
 
 bool MultiMesh::same_simplex(NodeId m, Dart d, NodeId n, Dart e, int k) const {
   require_dart(m, d);
   require_dart(n, e);
+  require_simplex(m, d, k);
+  require_simplex(n, e, k);
   return mesh(NodeId::root).same_simplex(to_root(m, d), to_root(n, e), k);
 }
 
 bool MultiMesh::has_preimage(NodeId from, Dart d, int k, NodeId descendant) const {
+  require_simplex(from, d, k);
+  require_below(descendant, from);
+  return from == descendant || is_covered(from, d, k, descendant);
+}
+
+bool MultiMesh::is_covered(NodeId from, Dart d, int k, NodeId descendant) const {
   if (parent(descendant) != from) {
     DartBuffer found;
-    to_descendant(from, d, k, descendant, found);
+    preimages_below(from, d, k, descendant, found);
     return !found.empty();
   }
   const Node& c = nodes_[index(descendant)];
@@ -278,7 +361,7 @@ bool MultiMesh::has_preimage(NodeId from, Dart d, int k, NodeId descendant) cons
 }
 
 std::vector<Compaction> MultiMesh::compact() {
-  if (open_transactions_ > 0) throw UsageError("compact inside a transaction");
+  require_closed("compact");
   require_in_step();
   std::vector<Compaction> moved(nodes_.size());
   for (const NodeId n : top_down_) moved[index(n)] = nodes_[index(n)].mesh->compact();
@@ -303,6 +386,16 @@ void MultiMesh::follow(const std::vector<Compaction>& moved) {
       nodes_[index(c.parent)].mesh->remap_links(c.links, own.simplices[static_cast<std::size_t>(k)]);
   }
   for (const NodeId n : top_down_) nodes_[index(n)].mesh->forget();
+  const auto stayed = [](const std::vector<Index>& places) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i] != i) return false;
+    return true;
+  };
+  for (const Compaction& c : moved)
+    if (!std::all_of(c.simplices.begin(), c.simplices.end(), stayed)) {
+      ++renumberings_;
+      return;
+    }
 }
 
 }  // namespace multimesh

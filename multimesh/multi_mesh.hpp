@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,10 +62,12 @@ class MultiMesh {
   int depth(NodeId n) const;
   NodeId lowest_common_ancestor(NodeId a, NodeId b) const;
 
-  // --- the containment map of one child
-  Anchor anchor(NodeId child, Index facet) const { return mesh(child).anchor(facet); }
+  // --- the containment map of one child. All of these throw UsageError for a node that is not in the tree,
+  // the root where a child is meant, a dart that is not alive in its mesh, and a dimension that the mesh has
+  // not.
+  Anchor anchor(NodeId child, Index facet) const;
   /// The facet of `child` over the parent simplex of the child's dimension at d, or no_index.
-  Index facet_over(NodeId child, Dart d) const { return link_of(child, d); }
+  Index facet_over(NodeId child, Dart d) const;
 
   /// The preimage of a dart in a child of the same dimension: the dart of the facet over it with the vertices
   /// in the same order, or no_dart.
@@ -96,6 +99,11 @@ class MultiMesh {
 
   /// \throw UsageError unless d is a dart of a live facet of n
   void require_dart(NodeId n, Dart d) const;
+  /// \throw UsageError in the middle of an operation: `what` cannot be done by an invariant, an attribute or
+  /// a hook
+  void require_idle(std::string_view what) const;
+  /// \throw UsageError in the middle of an operation, and inside a transaction
+  void require_closed(std::string_view what) const;
 
   // --- edits by others, of meshes that they can reach (attached OpenMesh meshes)
   /// Operations ask by themselves, before they touch anything, whether elements were added or removed
@@ -114,6 +122,8 @@ class MultiMesh {
  private:
   friend class Transaction;
   friend class Propagation;
+  friend class Legality;
+  friend class Copies;
 
   struct Node {
     std::unique_ptr<Mesh> mesh;
@@ -131,6 +141,14 @@ class MultiMesh {
     return nodes_[index(n)];
   }
   Node& node(NodeId n) { return const_cast<Node&>(std::as_const(*this).node(n)); }
+  // What asks inside of operations, of darts that are known to be alive.
+  Dart image(NodeId child, Dart d) const;
+  void preimages(NodeId child, Dart d, int k, DartBuffer& out) const;
+  void preimages_below(NodeId from, Dart d, int k, NodeId descendant, DartBuffer& out) const;
+  bool is_covered(NodeId from, Dart d, int k, NodeId descendant) const;
+  void require_simplex(NodeId n, Dart d, int k) const;
+  void require_below(NodeId descendant, NodeId ancestor) const;
+
   void remember_order();
   void require_star_in_step(NodeId n, Dart d, int k) const;
   void require_same_counts() const;
@@ -155,7 +173,9 @@ class MultiMesh {
   std::vector<Node> nodes_;       // by NodeId; a removed node has no mesh
   std::vector<NodeId> top_down_;  // live nodes, parents first
   int open_transactions_ = 0;
-  std::string lost_;  // what resync() could not follow
+  std::size_t renumberings_ = 0;  // by compact() and resync(), where anything moved
+  bool operating_ = false;        // inside an operation of a Propagation
+  std::string lost_;              // what resync() could not follow
   mutable DartBuffer star_;
 };
 

@@ -2,10 +2,45 @@
 #include "multimesh/operations.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "multimesh/faces.hpp"
 
 namespace multimesh {
+
+Propagation& Propagation::add(Attribute& a) {
+  tree_.require_closed("adding an attribute");
+  const Mesh& mesh = tree_.mesh(a.node());
+  const bool stored = a.dimension() == corners ? mesh.corner_capacity() > 0
+                                               : a.dimension() >= 0 && a.dimension() <= mesh.dimension() &&
+                                                     mesh.stores(a.dimension());
+  if (!stored)
+    throw UsageError("mesh " + std::to_string(index(a.node())) + " stores no values of this dimension");
+  a.require_size(a.slots(mesh));
+  attributes_.push_back(&a);
+  has_columns_ |= a.dimension() != 0;
+  return *this;
+}
+
+Propagation& Propagation::add(Invariant& i) {
+  tree_.require_closed("adding an invariant");
+  invariants_.push_back(&i);
+  return *this;
+}
+
+Propagation& Propagation::set(LegalityOptions o) {
+  tree_.require_idle("setting options");
+  legality_options_ = o;
+  return *this;
+}
+
+// What is not the mesh's own has not moved when elements were renumbered, unless somebody has seen to it.
+void Propagation::require_sizes() {
+  const bool renumbered = renumberings_ != tree_.renumberings_;
+  for (const Attribute* a : attributes_)
+    if (tree_.contains(a->node())) a->require_size(a->slots(tree_.mesh(a->node())), renumbered);
+  renumberings_ = tree_.renumberings_;
+}
 
 void Propagation::stage() {
   if (on_stage) on_stage(stage_++);
@@ -16,15 +51,18 @@ void Propagation::start(NodeId n, Dart d, int k) {
   ++statistics_.tried;
   stage_ = 0;
   changes_.clear();
+  done_.simplices.clear();
+  done_.corners.clear();
+  require_sizes();
 }
 
-// Maps the simplex to the root and finds its copies everywhere. What others may have edited is looked at before it
-// is walked through: a walk from a dead halfedge need not end.
+// Maps the simplex to the root and finds its copies everywhere. What others may have edited is looked at
+// before it is walked through: a walk from a dead halfedge need not end.
 void Propagation::find_copies(NodeId n, Dart d, int k) {
   tree_.require_dart(n, d);
   tree_.require_star_in_step(n, d, k);
   for (; n != NodeId::root; n = tree_.parent(n)) {
-    d = tree_.to_parent(n, d);
+    d = tree_.image(n, d);
     tree_.require_star_in_step(tree_.parent(n), d, k);
   }
   copies_.collect(tree_, d, k);
@@ -44,9 +82,9 @@ Outcome Propagation::refuse(Refusal r) {
   return {r, no_dart, no_dart};
 }
 
-Outcome Propagation::succeed(Dart dart, Dart root) {
+Outcome Propagation::succeed(Operation operation, Dart dart, Dart root, Dart changed, int changed_dimension) {
   ++statistics_.done;
-  return {{}, dart, root};
+  return {{}, dart, root, changed, changed_dimension, operation};
 }
 
 Refusal Propagation::ask(bool (Invariant::*when)(const Event&), const Event& event) {
@@ -56,6 +94,10 @@ Refusal Propagation::ask(bool (Invariant::*when)(const Event&), const Event& eve
 }
 
 void Propagation::update_attributes(const Event& event) {
+  const bool may_grow = event.operation == Operation::split || event.operation == Operation::flip;
+  if (may_grow || protect_properties_)
+    for (Attribute* a : attributes_)
+      if (tree_.contains(a->node())) a->grow(a->slots(tree_.mesh(a->node())));
   for (const VertexChange& c : changes_)
     for (Attribute* a : attributes_)
       if (a->node() == c.node) a->update(event.operation, c);
@@ -95,22 +137,26 @@ void Propagation::protect_neighbourhoods(Operation operation) {
 }
 
 Outcome Propagation::swap(NodeId n, Dart e) {
-  if (tree_.mesh(NodeId::root).dimension() > 2) return swap_by_split_and_collapse(n, e);
+  const Operating operating(tree_);
+  if (tree_.mesh(NodeId::root).dimension() > 2) return swap_in_steps(n, e);
   start(n, e, 1);
   const std::size_t asked = copy_of(n, e, 1);
   if (!flippable()) return refuse({Check::flip, n, {}});
-  const Event event{tree_, Operation::flip, copies_};
+  const Event event{tree_, Operation::flip, copies_, 0.5, &done_};
   stage();
   if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
-  Transaction transaction(tree_, attributes_);
+  Transaction transaction(tree_, attributes_, Transaction::Own::yes);
   protect_neighbourhoods(Operation::flip);
   collect_reanchored_by_flip();
-  for (Copy& c : copies_.all()) {
+  for (std::size_t i = 0; i < copies_.size(); ++i) {
     stage();
+    Copy& c = copies_.all()[i];
     Mesh& mesh = tree_.mesh(c.node);
-    const Dart outer = mesh.reorder(c.dart, permutation(0, 2, 1));  // (a,l,.): its code stays
-    mesh.flip_edge(c.dart);
+    const Dart old = c.dart, outer = mesh.reorder(old, permutation(0, 2, 1));  // (a,l,.): its code stays
+    if (has_columns_) note_flipping(c);
+    mesh.flip_edge(old);
     c.dart = mesh.reorder(outer, permutation(1, 2, 0));  // (l,r,a)
+    if (has_columns_) note_flipped(i);
   }
   for (const auto& [node, anchor] : reanchored_) {
     const Index facet = tree_.mesh(node).facet(anchor.own);
@@ -122,10 +168,11 @@ Outcome Propagation::swap(NodeId n, Dart e) {
   if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
   stage();
   transaction.commit();
-  return succeed(copies_[asked].dart, copies_[0].dart);
+  return succeed(Operation::flip, copies_[asked].dart, copies_[0].dart, copies_[0].dart, 1);
 }
 
 Refusal Propagation::why_not_swap(NodeId n, Dart e) {
+  const Operating operating(tree_);
   if (tree_.mesh(NodeId::root).dimension() > 2)
     throw UsageError("swaps in a tetrahedral mesh are sequences; whether one is refused is told by doing it");
   find_copies(n, e, 1);
@@ -153,17 +200,18 @@ void Propagation::collect_reanchored_by_flip() {
     const Mesh& mesh = tree_.mesh(c.node);
     for (const Permutation outer : {edge_ax, edge_bx}) {
       const Dart own = mesh.reorder(c.dart, outer);
-      reanchored_.push_back({c.node, {own, tree_.to_parent(c.node, own)}});
+      reanchored_.push_back({c.node, {own, tree_.image(c.node, own)}});
     }
   }
 }
 
 Outcome Propagation::relocate(NodeId n, Dart v, const std::function<void(const Event&)>& write) {
+  const Operating operating(tree_);
   start(n, v, 0);
-  const Event event{tree_, Operation::relocate, copies_};
+  const Event event{tree_, Operation::relocate, copies_, 0.5, &done_};
   stage();
   if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
-  Transaction transaction(tree_, attributes_);
+  Transaction transaction(tree_, attributes_, Transaction::Own::yes);
   protect_neighbourhoods(Operation::relocate);
   write(event);
   stage();
@@ -177,10 +225,11 @@ Outcome Propagation::relocate(NodeId n, Dart v, const std::function<void(const E
   stage();
   if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
   transaction.commit();
-  return succeed(v, copies_[0].dart);
+  return succeed(Operation::relocate, v, copies_[0].dart, copies_[0].dart);
 }
 
 CollapseVerdict Propagation::judge(NodeId n, Dart e) {
+  const Operating operating(tree_);
   find_copies(n, e, 1);
   return legality_.collapse(tree_, copies_, legality_options_);
 }

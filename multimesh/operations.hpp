@@ -21,6 +21,12 @@ struct [[nodiscard]] Outcome {
   Dart dart = no_dart;
   /// The same in the root.
   Dart root = no_dart;
+  /// What changed in the root: every facet there that is new, or has another vertex or place than before, is
+  /// one around the simplex of this dart that has the dimension `changed_dimension`, 0 or 1. Split: the new
+  /// vertex; collapse: the merged one; relocation: the one that moved; swap: the new edge, or a vertex of it.
+  Dart changed = no_dart;
+  int changed_dimension = 0;
+  Operation operation = Operation::relocate;  ///< swap_face: flip; split_simplex: split
   explicit operator bool() const noexcept { return !refusal.refused(); }
 };
 
@@ -50,17 +56,21 @@ struct Placement {
 /// the root and restricted to all meshes; all maps stay valid, or nothing changes.
 ///
 /// Attributes and invariants are those of the algorithm that uses it; they are not owned and must outlive
-/// it. Those of a mesh that was detached are not asked any more. An exception thrown by one of them leaves everything as it was before the operation. Cost per
-/// operation: that of the stars of the edge's copies; buffers are re-used, but queries over two or more
-/// levels of the tree allocate. Source: Codimensional MultiMeshing, section 4; legality beyond it:
-/// docs/concepts.md#when-a-collapse-is-legal.
+/// it. Those of a mesh that was detached are not asked any more. An exception thrown by one of them leaves
+/// everything as it was before the operation. They may read, ask the maps, and write by ValueAttribute::set;
+/// everything else here, transactions, and changes of the tree are a UsageError until the operation has
+/// returned, by whatever Propagation of this tree. Cost per operation: that of the stars of the edge's
+/// copies; buffers are re-used, but queries over two or more levels of the tree allocate. Source:
+/// Codimensional MultiMeshing, section 4; legality beyond it: docs/concepts.md#when-a-collapse-is-legal.
 class Propagation {
  public:
-  explicit Propagation(MultiMesh& tree) : tree_(tree) {}
+  explicit Propagation(MultiMesh& tree) : tree_(tree), renumberings_(tree.renumberings_) {}
 
-  Propagation& add(Attribute& a) { return attributes_.push_back(&a), *this; }
-  Propagation& add(Invariant& i) { return invariants_.push_back(&i), *this; }
-  Propagation& set(LegalityOptions o) { return legality_options_ = o, *this; }
+  /// \throw UsageError inside a transaction, or if the attribute has fewer values than its mesh has slots
+  Propagation& add(Attribute& a);
+  /// \throw UsageError inside a transaction
+  Propagation& add(Invariant& i);
+  Propagation& set(LegalityOptions o);
   /// Whether operations save all properties, of whatever type, of the simplices around both ends of the edge
   /// first: only needed if attributes' rules or invariants write properties that no Attribute manages, and
   /// those must be undone too. Costs a copy of each.
@@ -82,6 +92,7 @@ class Propagation {
   /// Swaps the edge of e = (a,b,x,..), interior in every mesh of dimension 2 or more that has it, and in no
   /// other: the facets around it are replaced by those that join x to the rest of their rim.
   ///
+  // clang-format off
   ///        b               b
   ///       /|\             / \         Dimension 2: (a,b,l), (b,a,r) become (l,r,a), (r,l,b). Inverse: swap of
   ///      / | \           /   \        l-r. Native where no mesh of the tree has dimension 3: no dead elements.
@@ -89,6 +100,7 @@ class Propagation {
   ///      \ | /           \   /        Dimension 3: swaps 3-2, 4-4, 5-6, .., by the rim x, y1, .., yn-1: all
   ///       \|/             \ /         (a,b,.,.) become (a,x,yi,yi+1), (b,x,yi,yi+1); x chooses among n results.
   ///        a               a          Inverse: n = 3, swap_face; n = 4, swap of the new edge x-y2.
+  // clang-format on
   ///
   /// Equals a split at c and the collapse of c into x. Where the edge lies on a surface inside a tetrahedral
   /// mesh, x must be one of its two apexes there.
@@ -120,7 +132,7 @@ class Propagation {
   Refusal why_not_swap(NodeId n, Dart e);
 
   /// A scope around several operations, which undoes them all, attributes included, unless it is committed.
-  [[nodiscard]] Transaction transaction() { return Transaction(tree_, attributes_); }
+  [[nodiscard]] Transaction transaction() { return {tree_, attributes_}; }
 
   const MultiMesh& tree() const noexcept { return tree_; }
   const Statistics& statistics() const noexcept { return statistics_; }
@@ -131,6 +143,20 @@ class Propagation {
   std::function<void(int stage)> on_stage;
 
  private:
+  /// The time during which nobody else may change the tree, ask for operations, or add to them.
+  class Operating {
+   public:
+    explicit Operating(MultiMesh& tree) : tree_(tree) {
+      if (tree.operating_) tree.require_idle("an operation");
+      tree.operating_ = true;
+    }
+    ~Operating() { tree_.operating_ = false; }
+    Operating(const Operating&) = delete;
+    Operating& operator=(const Operating&) = delete;
+
+   private:
+    MultiMesh& tree_;
+  };
   struct Moved {  // a child facet whose anchor points into a part of the parent that changes
     NodeId child;
     Index facet;
@@ -142,10 +168,17 @@ class Propagation {
   };
 
   Outcome refuse(Refusal r);
-  Outcome succeed(Dart dart, Dart root);
+  Outcome succeed(Operation operation, Dart dart, Dart root, Dart changed, int changed_dimension = 0);
+
+  // The operations without their guard.
+  Outcome split_inside(NodeId n, Dart e, double t);
+  Outcome collapse_inside(NodeId n, Dart e, Placement placement);
+  Outcome swap_in_steps(NodeId n, Dart e);
+  Outcome split_simplex_inside(NodeId n, Dart d, int k);
   std::size_t copy_of(NodeId n, Dart d, int k) const;
   void start(NodeId n, Dart d, int k);
   void find_copies(NodeId n, Dart d, int k);
+  void require_sizes();
   void stage();
   Refusal ask(bool (Invariant::*when)(const Event&), const Event& event);
   void update_attributes(const Event& event);
@@ -154,6 +187,29 @@ class Propagation {
   void split_copy(std::size_t i);
   void collect_moved_by_split(const Copy& c);
   void write_halves(std::size_t i);
+
+  // What columns are told, and which values win in a collapse (column_changes.cpp).
+  struct OldFacet {
+    Dart dart;
+    Index facet;
+    std::array<Index, 4> corners;
+  };
+  struct MergingEdges {
+    Dart dart;  // (b, x, ..)
+    Index at_a, at_b;
+    bool a_wins;
+  };
+  void remember_facets(const Mesh& mesh, const DartBuffer& facets);
+  void note_corners(std::size_t i, const OldFacet& old, Dart now, int replaced);
+  void note_whole(const Copy& c);
+  void note_halves(std::size_t i);
+  void note_merging(std::size_t i);
+  void note_merged(std::size_t i);
+  void note_flipping(const Copy& c);
+  void note_flipped(std::size_t i);
+  void note_winners(std::size_t i, double t);
+  void rename_winners(std::size_t i);
+  bool is_in_mesh_below(NodeId n, Dart d, int k) const;
 
   Refusal judge_placed(Placement placement, double& t);
   void let_b_survive(double& t);
@@ -166,7 +222,8 @@ class Propagation {
 
   bool swappable(NodeId n, Dart e);
   template <class Steps>
-  Outcome sequence(const Steps& steps);
+  Outcome sequence(Operation operation, const Steps& steps);
+  Outcome take_back(NodeId n, Dart e);
   Dart after_collapses(NodeId n, Dart d) const;
   Dart after_split(NodeId n, Dart e, End end) const;
 
@@ -174,6 +231,7 @@ class Propagation {
   void collect_reanchored_by_flip();
 
   MultiMesh& tree_;
+  std::size_t renumberings_;  // of the tree, that the attributes have followed
   std::vector<Attribute*> attributes_;
   std::vector<Invariant*> invariants_;
   LegalityOptions legality_options_;
@@ -183,6 +241,14 @@ class Propagation {
   Copies copies_;
   std::vector<SplitRecord> splits_;
   std::vector<CollapseRecord> collapses_;
+  std::vector<Merging> mergings_;
+  bool taking_back_ = false;  // the collapse puts a vertex back that a split of the same operation made
+  bool has_columns_ = false;
+  // To simplices and corners; only if there are columns.
+  Changes done_;
+  std::vector<OldFacet> old_facets_;
+  std::vector<MergingEdges> merging_edges_;
+  Index old_edge_ = no_index;
   CollapseRegion region_;
   std::vector<Moved> moved_;
   DartBuffer star_;

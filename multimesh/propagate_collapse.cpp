@@ -31,6 +31,11 @@ Refusal Propagation::judge_placed(Placement placement, double& t) {
 }
 
 Outcome Propagation::collapse(NodeId n, Dart e, Placement placement) {
+  const Operating operating(tree_);
+  return collapse_inside(n, e, placement);
+}
+
+Outcome Propagation::collapse_inside(NodeId n, Dart e, Placement placement) {
   start(n, e, 1);
   const std::size_t asked = copy_of(n, e, 1);
   double t = 0;
@@ -39,6 +44,7 @@ Outcome Propagation::collapse(NodeId n, Dart e, Placement placement) {
 }
 
 Refusal Propagation::why_not_collapse(NodeId n, Dart e, Placement placement) {
+  const Operating operating(tree_);
   find_copies(n, e, 1);
   double t = 0;
   if (const Refusal r = judge_placed(placement, t); r.refused()) return r;
@@ -47,6 +53,7 @@ Refusal Propagation::why_not_collapse(NodeId n, Dart e, Placement placement) {
 }
 
 Outcome Propagation::collapse(NodeId n, Dart e, const Chooser& choose) {
+  const Operating operating(tree_);
   start(n, e, 1);
   const std::size_t asked = copy_of(n, e, 1);
   const CollapseVerdict verdict = legality_.collapse(tree_, copies_, legality_options_);
@@ -66,13 +73,17 @@ void Propagation::let_b_survive(double& t) {
 Outcome Propagation::collapse_judged(std::size_t asked, double t) {
   if (!(t >= 0 && t <= 1)) throw UsageError("the new vertex must lie on the edge: 0 <= t <= 1");
   let_b_survive(t);
-  const Event event{tree_, Operation::collapse, copies_, t};
+  const Event event{tree_, Operation::collapse, copies_, t, &done_};
   stage();
   if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
 
-  Transaction transaction(tree_, attributes_);
+  Transaction transaction(tree_, attributes_, Transaction::Own::yes);
   protect_neighbourhoods(Operation::collapse);
-  if (collapses_.size() < copies_.size()) collapses_.resize(copies_.size());
+  if (collapses_.size() < copies_.size()) {
+    collapses_.resize(copies_.size());
+    mergings_.resize(copies_.size());
+  }
+  for (std::size_t i = 0; i < copies_.size(); ++i) note_winners(i, t);
   for (std::size_t i = copies_.size(); i-- > 0;) {
     stage();
     if (!collapse_copy(i)) return refuse({Check::link_condition, copies_[i].node, {}});
@@ -92,7 +103,7 @@ Outcome Propagation::collapse_judged(std::size_t asked, double t) {
   if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
   stage();
   transaction.commit();
-  return succeed(copies_[asked].dart, copies_[0].dart);
+  return succeed(Operation::collapse, copies_[asked].dart, copies_[0].dart, copies_[0].dart);
 }
 
 // The name of a dart of this copy's mesh after the copies of the same mesh that were collapsed before it.
@@ -112,12 +123,16 @@ bool Propagation::collapse_copy(std::size_t i) {
   if (!first && !mesh.link_condition(e)) return false;
 
   mesh.collapse_region(e, region_);
+  if (mesh.dimension() > 1) mesh.merge_values(e, mergings_[i]);
+  if (has_columns_) note_merging(i);
   if (n != NodeId::root) unlink_dead(n);
   moved_.clear();
   collect_moved_by_collapse(n);
 
   CollapseRecord& record = collapses_[i];
   mesh.collapse_edge(e, record);
+  if (has_columns_) note_merged(i);
+  if (i > copies_.first(n)) rename_winners(i);
   for (const Moved& m : moved_) {
     Mesh& below = tree_.mesh(m.child);
     Anchor a = below.anchor(m.facet);

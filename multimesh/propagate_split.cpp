@@ -7,14 +7,19 @@
 namespace multimesh {
 
 Outcome Propagation::split(NodeId n, Dart e, double t) {
+  const Operating operating(tree_);
+  return split_inside(n, e, t);
+}
+
+Outcome Propagation::split_inside(NodeId n, Dart e, double t) {
   if (!(t >= 0 && t <= 1)) throw UsageError("the new vertex must lie on the edge: 0 <= t <= 1");
   start(n, e, 1);
   const std::size_t asked = copy_of(n, e, 1);
-  const Event event{tree_, Operation::split, copies_, t};
+  const Event event{tree_, Operation::split, copies_, t, &done_};
   stage();
   if (const Refusal r = ask(&Invariant::before, event); r.refused()) return refuse(r);
 
-  Transaction transaction(tree_, attributes_);
+  Transaction transaction(tree_, attributes_, Transaction::Own::yes);
   protect_neighbourhoods(Operation::split);
   if (splits_.size() < copies_.size()) splits_.resize(copies_.size());
   for (std::size_t i = 0; i < copies_.size(); ++i) {
@@ -34,7 +39,9 @@ Outcome Propagation::split(NodeId n, Dart e, double t) {
   if (const Refusal r = ask(&Invariant::after, event); r.refused()) return refuse(r);
   stage();
   transaction.commit();
-  return succeed(tree_.mesh(n).after_split(splits_[asked], e, End::a), copies_[0].dart);
+  const Dart in_root = copies_[0].dart;
+  return succeed(Operation::split, tree_.mesh(n).after_split(splits_[asked], e, End::a), in_root,
+                 tree_.mesh(NodeId::root).reorder(in_root, exchange_ends));
 }
 
 void Propagation::split_copy(std::size_t i) {
@@ -42,7 +49,13 @@ void Propagation::split_copy(std::size_t i) {
   Mesh& mesh = tree_.mesh(c.node);
   moved_.clear();
   collect_moved_by_split(c);
-  mesh.split_edge(c.dart, splits_[i]);
+  if (has_columns_) {
+    note_whole(c);
+    mesh.split_edge(c.dart, splits_[i]);
+    note_halves(i);
+  } else {
+    mesh.split_edge(c.dart, splits_[i]);
+  }
   for (const Moved& m : moved_) {
     Mesh& below = tree_.mesh(m.child);
     Anchor a = below.anchor(m.facet);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "multimesh/edge_queue.hpp"
+#include "multimesh/faces.hpp"
 #include "multimesh/operations.hpp"
 
 namespace multimesh {
@@ -40,9 +44,10 @@ class PriorityScheduler {
   explicit PriorityScheduler(const Propagation& operations) : tree_(operations.tree()) {}
 
   /// Runs until the policy is finished or a whole pass over the refused edges has changed nothing. After
-  /// each operation, the edges around its vertex get a new cost; refused edges are asked again when that
-  /// happens to them, and in the next pass. Edges farther away whose cost depends on what was changed are
-  /// the policy's to notice when they are due: it postpones them. Cost: O(log n) per operation and update.
+  /// each operation, all edges of the facets that changed (Outcome::changed) get a new cost, after a collapse
+  /// in a surface only those at the merged vertex; refused edges are asked again when that happens to them,
+  /// and in the next pass. Edges farther away whose cost depends on what was changed are the policy's to
+  /// notice when they are due: it postpones them. Cost: O(log n) per operation and update.
   template <class Policy>
   Stop run(Policy& policy) {
     const auto start = std::chrono::steady_clock::now();
@@ -91,30 +96,53 @@ class PriorityScheduler {
         continue;
       }
       ++operations_;
-      update_around(attempt.outcome.root, policy);
+      update_around(attempt.outcome, policy);
     }
     return Stop::exhausted;
   }
 
   template <class Policy>
-  void update_around(Dart vertex, Policy& policy) {
+  void update(Dart e, Policy& policy) {
+    const Index edge = tree_.mesh(NodeId::root).simplex(e, 1);
+    if (const auto cost = policy.cost(e)) {
+      queue_.push(edge, *cost);
+    } else {
+      queue_.erase(edge);
+    }
+  }
+
+  // After a collapse in a surface the edges at its vertex; else all of the facets that changed. In dimension
+  // 3 edges have other indices then, too.
+  template <class Policy>
+  void update_around(const Outcome& outcome, Policy& policy) {
     const Mesh& root = tree_.mesh(NodeId::root);
-    const auto update = [&](Dart e) {
-      const Index edge = root.simplex(e, 1);
-      if (const auto cost = policy.cost(e)) {
-        queue_.push(edge, *cost);
-      } else {
-        queue_.erase(edge);
-      }
-    };
-    root.star(vertex, 0, star_);
-    const bool boundary = root.dimension() == 2 && root.is_boundary(vertex, 0);
+    const int d = root.dimension();
+    // A policy may have made an outcome of its own.
+    const Dart changed = outcome.changed != no_dart ? outcome.changed : outcome.root;
+    if (changed == no_dart) return;
+    root.star(changed, outcome.changed_dimension, star_);
+    if (outcome.operation != Operation::collapse || d > 2) return update_all(policy);
+    const bool boundary = d == 2 && root.is_boundary(changed, 0);
     for (const Dart t : star_) {
-      update(t);
+      update(t, policy);
       if (!boundary) continue;  // each edge is the first one of some facet
       const Dart other = root.reorder(t, edge_ax);
-      if (root.is_boundary(other, 1)) update(other);
+      if (root.is_boundary(other, 1)) update(other, policy);
     }
+  }
+
+  template <class Policy>
+  void update_all(Policy& policy) {
+    const Mesh& root = tree_.mesh(NodeId::root);
+    edges_.clear();
+    for (const Dart t : star_)
+      for (const Permutation p : faces_around(root.dimension(), 1, -1)) {
+        const Dart e = root.reorder(t, p);
+        edges_.emplace_back(root.simplex(e, 1), e);
+      }
+    std::sort(edges_.begin(), edges_.end());
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      if (i == 0 || edges_[i].first != edges_[i - 1].first) update(edges_[i].second, policy);
   }
 
   template <class Policy>
@@ -129,6 +157,7 @@ class PriorityScheduler {
   EdgeQueue queue_;
   std::vector<Index> refused_;
   DartBuffer star_;
+  std::vector<std::pair<Index, Dart>> edges_;
   std::size_t operations_ = 0;
   double seconds_ = 0;
 };

@@ -11,18 +11,32 @@ namespace multimesh {
 
 // Runs `steps`, which end at the first refusal; all is undone then.
 template <class Steps>
-Outcome Propagation::sequence(const Steps& steps) {
+Outcome Propagation::sequence(Operation operation, const Steps& steps) {
   const Statistics before = statistics_;
   Outcome outcome;
   {
-    Transaction transaction(tree_, attributes_);
+    Transaction transaction(tree_, attributes_, Transaction::Own::yes);
     outcome = steps();
     if (outcome) transaction.commit();
   }
   statistics_ = before;
   ++statistics_.tried;
   if (!outcome) return refuse(outcome.refusal);
-  return succeed(outcome.dart, outcome.root);
+  return succeed(operation, outcome.dart, outcome.root, outcome.changed);
+}
+
+// Into b, of a vertex that a split of the same operation put in: nothing of what is at b gets a value from
+// it.
+Outcome Propagation::take_back(NodeId n, Dart e) {
+  taking_back_ = true;
+  try {
+    const Outcome outcome = collapse_inside(n, e, Placement::keep_b());
+    taking_back_ = false;
+    return outcome;
+  } catch (...) {
+    taking_back_ = false;
+    throw;
+  }
 }
 
 // Of the mesh of the last collapse: what a dart of before it is called now.
@@ -56,32 +70,38 @@ bool Propagation::swappable(NodeId n, Dart e) {
 }
 
 Outcome Propagation::swap_by_split_and_collapse(NodeId n, Dart e) {
-  return sequence([&]() -> Outcome {
+  const Operating operating(tree_);
+  return swap_in_steps(n, e);
+}
+
+Outcome Propagation::swap_in_steps(NodeId n, Dart e) {
+  return sequence(Operation::flip, [&]() -> Outcome {
     if (!swappable(n, e)) return {{Check::flip, n, {}}, no_dart, no_dart};
-    const Outcome halves = split(n, e);
+    const Outcome halves = split_inside(n, e, 0.5);
     if (!halves) return halves;
     const Dart to_apex = tree_.mesh(n).reorder(halves.dart, edge_bx);  // (a,c,x,..) -> (c,x,a,..)
-    return collapse(n, to_apex, Placement::keep_b());
+    return take_back(n, to_apex);
   });
 }
 
 Outcome Propagation::swap_face(NodeId n, Dart f) {
-  return sequence([&]() -> Outcome {
+  const Operating operating(tree_);
+  return sequence(Operation::flip, [&]() -> Outcome {
     tree_.require_dart(n, f);
     const Mesh& mesh = tree_.mesh(n);
     const Dart beyond = mesh.dimension() == 3 ? mesh.switch_dart(f, 3) : no_dart;
     if (beyond == no_dart) return {{Check::flip, n, {}}, no_dart, no_dart};
     const Index v = mesh.vertex(mesh.reorder(beyond, permutation(3, 0, 1, 2)));
-    const Outcome inside = split_simplex(n, f, 2);  // (m,z,x,w)
+    const Outcome inside = split_simplex_inside(n, f, 2);  // (m,z,x,w)
     if (!inside) return inside;
-    const Outcome done = collapse(n, mesh.reorder(inside.dart, permutation(0, 3, 1, 2)), Placement::keep_b());
+    const Outcome done = take_back(n, mesh.reorder(inside.dart, permutation(0, 3, 1, 2)));
     if (!done) return done;
     // The new edge w-v.
     mesh.star(done.dart, 0, star_);
     for (const Dart t : star_)
       for (const Permutation p : faces_around(3, 1, 0))
         if (mesh.vertex(mesh.reorder(mesh.reorder(t, p), exchange_ends)) == v)
-          return {{}, mesh.reorder(t, p), tree_.to_root(n, mesh.reorder(t, p))};
+          return {{}, mesh.reorder(t, p), tree_.to_root(n, mesh.reorder(t, p)), done.changed};
     return done;
   });
 }
@@ -89,32 +109,39 @@ Outcome Propagation::swap_face(NodeId n, Dart f) {
 // Face (x,y,z,..): a vertex c on x-y, a vertex m on z-c; then c goes back into x, and what was split around
 // x-y is whole again. Tetrahedron (x,y,z,w): m in its face, a vertex on m-w, then m goes back into x.
 Outcome Propagation::split_simplex(NodeId n, Dart d, int k) {
+  const Operating operating(tree_);
+  return split_simplex_inside(n, d, k);
+}
+
+Outcome Propagation::split_simplex_inside(NodeId n, Dart d, int k) {
+  tree_.require_dart(n, d);
   const Mesh& mesh = tree_.mesh(n);
   if (k < 1 || k > mesh.dimension())
     throw UsageError("split_simplex: a mesh of dimension " + std::to_string(mesh.dimension()) +
                      " has no such simplices of dimension " + std::to_string(k));
   if (k == 1) {
-    const Outcome halves = split(n, d);
+    Outcome halves = split_inside(n, d, 0.5);
     if (!halves) return halves;
-    const Dart at_new = mesh.reorder(halves.dart, exchange_ends);
-    return {{}, at_new, tree_.to_root(n, at_new)};
+    halves.dart = mesh.reorder(halves.dart, exchange_ends);
+    halves.root = halves.changed;
+    return halves;
   }
-  return sequence([&]() -> Outcome {
+  return sequence(Operation::split, [&]() -> Outcome {
     Dart spoke;  // (z,c,x,..) or (m,w,x,..): the edge to be split
     double t;    // the barycentre on it
     Dart back;   // (m,c,x,..) or (m,q,x,..)
     if (k == 2) {
-      const Outcome side = split(n, d);
+      const Outcome side = split_inside(n, d, 0.5);
       if (!side) return side;
       spoke = mesh.reorder(side.dart, permutation(2, 1, 0, 3));
       t = 2.0 / 3;
     } else {
-      const Outcome face = split_simplex(n, d, 2);  // (m,z,x,w)
+      const Outcome face = split_simplex_inside(n, d, 2);  // (m,z,x,w)
       if (!face) return face;
       spoke = mesh.reorder(face.dart, permutation(0, 3, 2, 1));
       t = 0.25;
     }
-    const Outcome inside = split(n, spoke, t);
+    const Outcome inside = split_inside(n, spoke, t);
     if (!inside) return inside;
     Dart at_new;
     if (k == 2) {
@@ -124,10 +151,10 @@ Outcome Propagation::split_simplex(NodeId n, Dart d, int k) {
       at_new = after_split(n, spoke, End::b);                     // (q,w,x,z)
       back = mesh.reorder(inside.dart, permutation(0, 2, 1, 3));  // (m,x,q,z)
     }
-    const Outcome done = collapse(n, back, Placement::keep_b());
+    const Outcome done = take_back(n, back);
     if (!done) return done;
-    const Dart now = after_collapses(n, at_new);
-    return {{}, now, tree_.to_root(n, now)};
+    const Dart now = after_collapses(n, at_new), in_root = tree_.to_root(n, now);
+    return {{}, now, in_root, in_root};
   });
 }
 

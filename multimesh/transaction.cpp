@@ -4,7 +4,11 @@
 namespace multimesh {
 
 Transaction::Transaction(MultiMesh& tree, std::span<Attribute* const> attributes)
-    : tree_(tree), attributes_(attributes) {
+    : Transaction(tree, attributes, Own::no) {}
+
+Transaction::Transaction(MultiMesh& tree, std::span<Attribute* const> attributes, Own own)
+    : tree_(tree), attributes_(attributes), own_(own) {
+  if (own == Own::no) tree.require_idle("a transaction");
   const std::size_t marks = tree.top_down_.size() + attributes.size();
   if (marks > in_place) more_marks_.resize(marks - in_place);
   std::size_t i = 0;
@@ -23,6 +27,7 @@ Transaction::~Transaction() {
 }
 
 void Transaction::commit() {
+  if (own_ == Own::no) tree_.require_idle("the end of a transaction");
   open_ = false;
   if (--tree_.open_transactions_ > 0) return;
   for (const NodeId n : tree_.top_down_) tree_.mesh(n).forget();

@@ -16,7 +16,6 @@
 #include "tools/comparison_page.hpp"
 #include "tools/decimate_report.hpp"
 #include "tools/html_report.hpp"
-#include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/surface_file.hpp"
 
@@ -92,7 +91,6 @@ class Run {
     return (!a_.quiet || wants_report()) && may_have_lost_texture(options_, result_);
   }
   bool wants_report() const { return !a_.report.empty() || !a_.html.empty(); }
-  void write(const fs::path& path, const TexturedSurface& surface, std::vector<std::string>& warnings);
   void write_level(const TexturedSurface& surface, std::size_t level);
   void measure(Json& j);
 
@@ -100,7 +98,6 @@ class Run {
   const DecimateArguments& a_;
   SurfaceFile file_;
   DecimateOptions options_;
-  SurfaceTopology topology_;  ///< before
   DecimateResult result_;
   Json before_, after_, levels_ = Json::array(), texture_loss_;
   double seconds_ = 0;
@@ -112,18 +109,12 @@ class Run {
 void Run::write_level(const TexturedSurface& surface, std::size_t level) {
   const fs::path path = level_path(a_.output, level + 1);
   std::vector<std::string> warnings;  // the same as for the last one
-  write(path, surface, warnings);
+  write_surface(path, surface, file_, warnings);
   levels_.push_back({{"output", path.string()}, {"faces", surface.live_triangles()}});
-}
-
-void Run::write(const fs::path& path, const TexturedSurface& surface, std::vector<std::string>& warnings) {
-  write_if_same_mesh(path, topology_, surface,
-                     [&](const fs::path& to) { write_surface(to, surface, file_, warnings); });
 }
 
 void Run::decimate() {
   TexturedSurface surface = take_surface(file_, surface_options(a_));
-  topology_ = topology_of(surface);
   if (wants_report()) before_ = to_json(surface);
   const bool show = !a_.quiet && isatty(STDERR_FILENO);
   if (show)
@@ -131,7 +122,7 @@ void Run::decimate() {
   options_.on_level = [&](std::size_t level) { write_level(surface, level); };
   result_ = multimesh::decimate(surface, options_);
   if (show) std::cerr << "\r";
-  write(a_.output, surface, file_.warnings);
+  write_surface(a_.output, surface, file_, file_.warnings);
   if (wants_report()) after_ = to_json(surface);
   if (wants_comparison() || wants_texture_check()) left_ = surface.triangles(source_);
   seconds_ = seconds();

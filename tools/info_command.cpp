@@ -44,7 +44,6 @@ Json describe(const SurfaceFile& file, const TexturedSurface& surface) {
                    {"edges_with_opposite_orientations", m.inconsistent_edges},
                    {"vertex_copies_made_to_cut_it", m.cut_vertices},
                    {"triangles_reversed", surface.cut_report().reversed_triangles}};
-  j["joined"] = to_json(topology_of(surface));
   j["triangles_without_texcoords"] = surface.cut_report().triangles_without_texcoords;
   j["meshes"] = to_json(surface);
   j["warnings"] = file.warnings;
@@ -71,12 +70,6 @@ void print(const Json& j) {
             << m["edges_with_three_or_more_faces"] << " edges with three or more faces, "
             << m["edges_with_opposite_orientations"] << " with opposite orientations, "
             << m["vertex_copies_made_to_cut_it"] << " vertex copies made\n";
-  if (!m["as_given"].get<bool>()) {
-    const Json& joined = j["joined"];
-    std::cout << "  as given: " << joined["vertices"] << " vertices, " << joined["components"]
-              << " components, Euler characteristic " << joined["euler_characteristic"] << ", "
-              << joined["boundary_loops"] << " boundary loops\n";
-  }
   print_mesh("surface", j["meshes"]["surface"]);
   if (j["meshes"]["texture"].is_null()) {
     std::cout << "  no texture coordinates\n";
@@ -157,9 +150,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
       "tetrahedra is three: the tetrahedra; the surface, which is their boundary, the interfaces between\n"
       "regions and the triangles that are listed; and curves, where sheets of the surface meet and edges "
       "that\n"
-      "are listed. Input that is not manifold is cut, and the numbers of the meshes are those of the cut "
-      "ones; \n"
-      "those of the surface as given stand before them.");
+      "are listed. Input that is not manifold is cut, and the numbers are those of the cut meshes.");
   command->callback([arguments, &exit_code] {
     const auto tell = [&](const Json& j, void (*in_lines)(const Json&)) {
       arguments->json ? void(std::cout << to_text(j)) : in_lines(j);

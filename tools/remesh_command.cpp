@@ -4,7 +4,6 @@
 #include <iostream>
 #include <memory>
 #include <numbers>
-#include <sstream>
 
 #include "adapters/io/atomic_file.hpp"
 #include "multimesh/algorithms/bounding_box.hpp"
@@ -12,7 +11,6 @@
 #include "multimesh/version.hpp"
 #include "tools/command.hpp"
 #include "tools/follow_paths.hpp"
-#include "tools/joined_check.hpp"
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/surface_file.hpp"
@@ -40,9 +38,6 @@ void add_options(CLI::App& command, RemeshArguments& a) {
   target->add_option("--relative-length", a.relative_length, "relative to the diagonal of the bounding box")
       ->check(length);
   target->require_option(1);
-  command.add_option("--max-faces", a.options.max_faces, "refuse a length that makes more faces than this")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
   command.add_option("--iterations", a.options.iterations, "rounds of split, collapse, swap and smoothing")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -74,9 +69,6 @@ Json to_json(const RemeshArguments& a, const RemeshResult& r) {
       {"splits", r.splits}, {"collapses", r.collapses}, {"swaps", r.swaps}, {"moves", r.moves}};
   j["edges"] = r.edges;
   j["edges_in_range"] = r.edges_in_range;
-  j["shortest_edge"] = r.shortest;
-  j["longest_edge"] = r.longest;
-  j["length_reached"] = length_reached(r, a.options.length);
   j["seconds"] = r.seconds;
   return j;
 }
@@ -84,31 +76,6 @@ Json to_json(const RemeshArguments& a, const RemeshResult& r) {
 void check_paths(const RemeshArguments& a) {
   check_obj_output(a.output);
   if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
-}
-
-void check_faces(const RemeshArguments& a, const TexturedSurface& surface) {
-  const double faces = expected_faces(surface, a.options.length),
-               most = static_cast<double>(a.options.max_faces);
-  if (!(faces > most)) return;
-  std::ostringstream text;
-  text << a.input << ": edges of length " << a.options.length << " make about " << faces
-       << " faces, more than " << a.options.max_faces << "; give a length of at least "
-       << a.options.length * std::sqrt(faces / most) << ", or a greater --max-faces";
-  throw InputError(text.str());
-}
-
-double percent_in_range(const RemeshResult& r) {
-  return std::round(1000.0 * static_cast<double>(r.edges_in_range) / static_cast<double>(r.edges)) / 10;
-}
-
-void warn_of_lengths(const RemeshArguments& a, const RemeshResult& r, std::vector<std::string>& warnings) {
-  if (length_reached(r, a.options.length)) return;
-  std::ostringstream text;
-  text << "the length was not reached everywhere: " << percent_in_range(r)
-       << " % of the edges are within 4/5 and 4/3 of " << a.options.length << ", the shortest is "
-       << r.shortest << ", the longest " << r.longest
-       << "; lines and vertices that stay are nearer to each other, or more --iterations are needed";
-  warnings.push_back(text.str());
 }
 
 void run(RemeshArguments& a) {
@@ -122,15 +89,11 @@ void run(RemeshArguments& a) {
   if (a.feature_angle > 0) curves.feature_angle = a.feature_angle * std::numbers::pi / 180;
   curves.keep_label_borders = a.preserve_materials;
   TexturedSurface surface = take_surface(file, curves);
-  check_faces(a, surface);
   Json before;
   if (!a.report.empty()) before = tools::to_json(surface);
-  const SurfaceTopology topology = topology_of(surface);
+  const std::size_t faces = surface.live_triangles();
   const RemeshResult result = remesh(surface, a.options);
-  warn_of_lengths(a, result, file.warnings);
-  write_if_same_mesh(a.output, topology, surface, [&](const std::filesystem::path& to) {
-    write_surface(to, surface, file, file.warnings);
-  });
+  write_surface(a.output, surface, file, file.warnings);
   if (!a.report.empty()) {
     Json j = to_json(a, result);
     j["before"] = before;
@@ -142,9 +105,10 @@ void run(RemeshArguments& a) {
   }
   if (a.quiet) return;
   for (const auto& w : file.warnings) std::cerr << "warning: " << w << '\n';
-  std::cerr << topology.faces << " faces -> " << surface.live_triangles() << " in " << result.seconds
-            << " s; " << percent_in_range(result) << " % of the edges are within 4/5 and 4/3 of "
-            << a.options.length << '\n';
+  const double share = 100.0 * static_cast<double>(result.edges_in_range) / static_cast<double>(result.edges);
+  std::cerr << faces << " faces -> " << surface.live_triangles() << " in " << result.seconds << " s; "
+            << std::round(10 * share) / 10 << " % of the edges are within 4/5 and 4/3 of " << a.options.length
+            << '\n';
 }
 
 }  // namespace
@@ -161,11 +125,7 @@ void add_remesh_command(CLI::App& app, int& exit_code) {
       "materials\n"
       "and groups of each face. Seams are not frozen: they get edges of the same length. Vertices stay on "
       "the\n"
-      "input, with its texture coordinates there. No triangle of the texture flips or loses its area.\n"
-      "Exit status 0 with a warning, also in the report, if less than 90 % of the edges come into range, or "
-      "one "
-      "is\n"
-      "longer than twice the length or shorter than a quarter of it.");
+      "input, with its texture coordinates there. No triangle of the texture flips or loses its area.");
   command->callback([a, &exit_code] {
     run(*a);
     exit_code = done;

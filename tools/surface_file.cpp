@@ -113,14 +113,6 @@ void take_triangles(io::PolygonSoup& soup, SurfaceFile& file, Normals& normals) 
   add_count(file.warnings, partly, "triangles have texture coordinates on some corners only; they lose them");
 }
 
-void check_size(const SurfaceFile& file) {
-  try {
-    multimesh::check_size(file.input);
-  } catch (const InputError& e) {
-    throw InputError(file.path.string() + ": " + e.what());
-  }
-}
-
 }  // namespace
 
 // Lists of the soup are given back one by one as the triangles take their place: both together would be the
@@ -142,7 +134,6 @@ SurfaceFile read_surface(const std::filesystem::path& path) {
   file.input.positions = taken<OpenMesh::Vec3d>(soup.positions);
   file.input.texcoords = taken<OpenMesh::Vec2d>(soup.texcoords);
   file.input.colors = taken<OpenMesh::Vec3d>(soup.colors);
-  check_size(file);
   if (any_normal(normal_corners)) {
     const auto normals = taken<OpenMesh::Vec3d>(soup.normals);
     file.input.shading = shading(file.input, normals, normal_corners);

@@ -2,7 +2,6 @@
 #include <iostream>
 #include <memory>
 
-#include "multimesh/algorithms/surface_topology.hpp"
 #include "multimesh/algorithms/tet_topology.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/validate.hpp"
@@ -53,9 +52,9 @@ Findings examine(const TexturedTriangles& input, std::vector<std::string> warnin
   f.add(m.cut_vertices, "copies of vertices are needed to make it manifold");
   f.add(count_flat(input), "triangles have no area");
   f.add_tree(surface.tree());
-  const std::size_t loops = topology_of(surface).boundary_loops;
-  f.facts.push_back(loops == 0 ? "the surface is closed"
-                               : "the surface has " + std::to_string(loops) + " boundary loops");
+  const MeshReport r = report(surface.tree().mesh(NodeId::root));
+  f.facts.push_back(r.boundary == 0 ? "the surface is closed"
+                                    : "the surface has " + std::to_string(r.boundary) + " boundary loops");
   return f;
 }
 

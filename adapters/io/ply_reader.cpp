@@ -138,10 +138,11 @@ class PlyParser {
     for (const auto& p : element.properties)
       if (!is_index_list(p) && !is_texcoord_list(p) && !is_texture_number(p)) left_out("face " + p.name);
     const bool numbered = std::ranges::any_of(element.properties, is_texture_number);
+    has_pages_ = numbered || !header_.textures.empty();
     if (!numbered && header_.textures.size() > 1)
       warn("the faces have no texnumber; the first of " + std::to_string(header_.textures.size()) +
            " texture images is taken for all");
-    page_ = numbered || !header_.textures.empty() ? 0 : -1;
+    page_ = has_pages_ ? 0 : -1;
     for (std::size_t row = 0; row < element.count; ++row) {
       body_.begin_row(element, row);
       for (const auto& p : element.properties) {
@@ -234,6 +235,7 @@ class PlyParser {
   void finish() {
     if (soup_.face_count() == 0) fail_file(file_, "the file has no face; give a surface");
     if (!left_out_.empty()) warn("left out: " + left_out_);
+    if (has_pages_) part_texcoords_by_section(soup_);
     if (const std::size_t rest = body_.unread(); rest != 0)
       warn(std::to_string(rest) + " bytes after the last element are left out");
   }
@@ -246,6 +248,7 @@ class PlyParser {
   PlyBody body_;
   TexturePages pages_;
   std::int64_t page_ = -1;
+  bool has_pages_ = false;
   bool has_color_ = false;
   bool vertex_texcoords_ = false;
   std::vector<double> indices_, texcoords_;

@@ -41,7 +41,7 @@ class FaceCheck {
                                       " corners of the file have none now");
   }
 
-  /// Faces seem flat where products of lengths overflow or vanish: says so. Only points that faces use count.
+  /// Only points that faces use count.
   void size() const {
     CoordinateRange range;
     for (const Corner& c : soup_.corners) {
@@ -95,7 +95,6 @@ class FaceCheck {
       }
     const auto repeated = repeated_faces(soup_);
     soup_.notes.repeated_faces = repeated.size();
-    if (exceeds(soup_.notes.flat_faces, max_share)) size();
     report(soup_.notes.flat_faces, first_flat, max_share, "the face has no area");
     report(repeated.size(), repeated.empty() ? 0 : repeated.front(), max_share,
            "the face has the same vertices as an earlier face");
@@ -211,6 +210,7 @@ class FaceCheck {
 void check_faces(PolygonSoup& soup, std::string_view file, int first_index, const ReadOptions& options) {
   FaceCheck check(soup, file, first_index);
   check.indices();
+  check.size();
   check.corners();
   check.refuse_collapsed(options.max_collapsed_share);
   check.warn_repeated_corners();

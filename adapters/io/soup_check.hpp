@@ -8,7 +8,7 @@
 
 namespace multimesh::io {
 
-/// The last step of every reader. Checks all indices: a face that
+/// The last step of every reader. Checks all indices and the size of the model (CoordinateRange): a face that
 /// names a vertex out of range is refused, a corner that names a texture coordinate or normal beyond the last
 /// one loses it; removes corners that repeat the corner before them and the faces that are left with fewer
 /// than three distinct vertices; counts faces without area and repeated ones. What was removed or counted

@@ -71,6 +71,8 @@ class Attached : public AttachedTree {
   NodeId add_texture(const std::function<bool(OpenMesh::FaceHandle)>& textured = {},
                      WriteBack when = WriteBack::each_operation) {
     require_no_texture(mesh_.has_halfedge_texcoords2D());
+    const OpenMesh::BaseProperty& at_corners = mesh_.property(mesh_.halfedge_texcoords2D_pph());
+    if (when == WriteBack::each_operation) require_carried(at_corners);
     std::vector<TexCoord>& at_halfedges = values(mesh_.halfedge_texcoords2D_pph());
     std::vector<OpenMesh::Vec2d> places(at_halfedges.size());
     for (std::size_t h = 0; h < places.size(); ++h) places[h] = {at_halfedges[h][0], at_halfedges[h][1]};
@@ -81,6 +83,8 @@ class Attached : public AttachedTree {
     texcoords_ = &follow_values(child.node, at_vertices);
     corners_ = &keep(std::make_unique<CornerValues<TexCoord>>(tree(), child.node, at_vertices, at_halfedges),
                      when == WriteBack::each_operation);
+    if (when == WriteBack::each_operation)
+      leave(at_corners, [this, node = child.node] { return tree().contains(node); });
     return child.node;
   }
   /// Texture coordinates per vertex of the texture. \throw UsageError if add_texture() was not called
@@ -137,6 +141,22 @@ class Attached : public AttachedTree {
     return follow(property.getRawProperty(), std::move(rule));
   }
 
+  // Properties of edges, faces and halfedges follow by themselves (docs/openmesh.md); these give them other
+  // rules. A halfedge has the value of the corner of its face that it points to. \throw UsageError if the
+  // property follows a rule already, or inside a transaction
+  template <class T>
+  Column<T>& follow(OpenMesh::EPropHandleT<T> property, ColumnRules<T> rules = {}) {
+    return follow_column(1, property, std::move(rules));
+  }
+  template <class T>
+  Column<T>& follow(OpenMesh::FPropHandleT<T> property, ColumnRules<T> rules = {}) {
+    return follow_column(2, property, std::move(rules));
+  }
+  template <class T>
+  Column<T>& follow(OpenMesh::HPropHandleT<T> property, ColumnRules<T> rules = {}) {
+    return follow_column(corners, property, std::move(rules));
+  }
+
   /// Moves a vertex. Cost: constant, and that of invariants.
   Outcome relocate(OpenMesh::VertexHandle v, const Point& p) {
     return operations().relocate(NodeId::root, dart(v),
@@ -147,6 +167,14 @@ class Attached : public AttachedTree {
   template <class Handle>
   auto& values(Handle handle) {
     return mesh_.property(handle).data_vector();
+  }
+  template <class Handle, class T>
+  Column<T>& follow_column(int k, Handle property, ColumnRules<T> rules) {
+    tree().require_closed("follow()");
+    require_carried(mesh_.property(property));
+    auto& column = keep(std::make_unique<Column<T>>(NodeId::root, k, values(property), std::move(rules)));
+    leave(mesh_.property(property), [] { return true; });
+    return column;
   }
   template <class T>
   VertexAttribute<T>& follow_values(NodeId n, std::vector<T>& values,

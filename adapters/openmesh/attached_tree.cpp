@@ -61,7 +61,15 @@ Dart AttachedTree::dart(OpenMesh::VertexHandle v) const {
   return d;
 }
 
+Dart AttachedTree::dart(OpenMesh::FaceHandle f) const {
+  const bool known = f.is_valid() && static_cast<std::size_t>(f.idx()) < root_.n_faces();
+  if (!known || root_.status(f).deleted())
+    throw UsageError("face " + std::to_string(f.idx()) + " is not one of the mesh");
+  return dart(root_.halfedge_handle(f));
+}
+
 OpenMesh::HalfedgeHandle AttachedTree::halfedge(Dart d) const {
+  tree_.require_dart(NodeId::root, d);
   const auto h = TriangleMesh::halfedge(d);
   const auto from = static_cast<Index>(root_.to_vertex_handle(OpenMesh::HalfedgeHandle(h.idx() ^ 1)).idx());
   return triangles(tree_).vertex(d) == from ? h : OpenMesh::HalfedgeHandle(h.idx() ^ 1);
@@ -85,6 +93,15 @@ NodeId AttachedTree::add_faces(const std::function<bool(OpenMesh::FaceHandle)>& 
   return add_child_from_tags(
       tree_, NodeId::root, 2, [&](Index f) { return tagged(OpenMesh::FaceHandle(static_cast<int>(f))); },
       make_mesh);
+}
+
+void AttachedTree::leave(const OpenMesh::BaseProperty& property, std::function<bool()> still) {
+  static_cast<Connectivity&>(tree_.mesh(NodeId::root)).leave(property, std::move(still));
+}
+
+void AttachedTree::require_carried(const OpenMesh::BaseProperty& property) const {
+  if (static_cast<const Connectivity&>(tree_.mesh(NodeId::root)).is_left(property))
+    throw UsageError("the property \"" + property.name() + "\" follows the operations by a rule already");
 }
 
 void AttachedTree::require_no_texture(bool has_texcoords) const {

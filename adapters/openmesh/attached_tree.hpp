@@ -11,6 +11,7 @@
 
 #include "adapters/openmesh/texture_child.hpp"
 #include "adapters/openmesh/watch.hpp"
+#include "multimesh/column.hpp"
 #include "multimesh/operations.hpp"
 
 namespace multimesh::openmesh {
@@ -40,8 +41,9 @@ class AttachedTree {
   Dart dart(OpenMesh::HalfedgeHandle h) const;
   Dart dart(OpenMesh::EdgeHandle e) const { return dart(root_.halfedge_handle(e, 0)); }
   Dart dart(OpenMesh::VertexHandle v) const;
-  Dart dart(OpenMesh::FaceHandle f) const { return dart(root_.halfedge_handle(f)); }
-  /// The halfedge on the edge of a dart, from its vertex.
+  /// \throw UsageError for a face that is not there any more
+  Dart dart(OpenMesh::FaceHandle f) const;
+  /// The halfedge on the edge of a dart, from its vertex. \throw UsageError for a dead dart
   OpenMesh::HalfedgeHandle halfedge(Dart d) const;
 
   // --- children of the root; all throw InputError if they would be empty. Cost: linear
@@ -86,6 +88,10 @@ class AttachedTree {
     }
     return kept;
   }
+  /// The operations leave a property to somebody who writes it, as long as `still` says so.
+  void leave(const OpenMesh::BaseProperty& property, std::function<bool()> still);
+  /// \throw UsageError if it was left to somebody
+  void require_carried(const OpenMesh::BaseProperty& property) const;
   void require_no_texture(bool has_texcoords) const;
   static void require_texture(bool has_texture);
   /// `places`: per halfedge. The result names a halfedge per vertex of the texture.

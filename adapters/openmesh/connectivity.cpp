@@ -32,6 +32,7 @@ Connectivity::Connectivity(int dimension, OpenMesh::PolyConnectivity& om)
   vertex_status_ = &om_.property(om_.vertex_status_pph()).data_vector();
   edge_status_ = &om_.property(om_.edge_status_pph()).data_vector();
   face_status_ = &om_.property(om_.face_status_pph()).data_vector();
+  find_data_of_default_traits();
 }
 
 Connectivity::~Connectivity() {
@@ -220,12 +221,18 @@ void Connectivity::copy_properties(int k, std::size_t from, std::size_t to) {
   }
 }
 
-void Connectivity::protect(int k, Index s) {
-  const Word status_word = k == 0 ? Word::vertex_status : k == 1 ? Word::edge_status : Word::face_status;
-  log(status_word, s, status(k)[s].bits());
+// A dead element, to keep values of a live one.
+int Connectivity::make_spare(int k) {
   const int spare = k == 0 ? new_vertex() : k == 1 ? new_edge(-1, -1) >> 1 : new_face();
   (*(k == 0 ? vertex_status_ : k == 1 ? edge_status_ : face_status_))[at(spare)].set_deleted(true);
   spares_[k].push_back(spare);
+  return spare;
+}
+
+void Connectivity::protect(int k, Index s) {
+  const Word status_word = k == 0 ? Word::vertex_status : k == 1 ? Word::edge_status : Word::face_status;
+  log(status_word, s, status(k)[s].bits());
+  const int spare = make_spare(k);
   copy_properties(k, s, at(spare));
   log(Word::spare, s, word(spare), static_cast<LinkSet>(k));
 }
@@ -304,6 +311,14 @@ void Connectivity::undo(const Entry& e) {
     case Word::spare:
       copy_properties(e.column, e.old, e.index);
       spares_[e.column].pop_back();
+      break;
+    case Word::edge_values:
+    case Word::halfedge_values:
+      exchange(e);
+      break;
+    case Word::renewed:
+      exchange(e);
+      spares_[1].pop_back();
       break;
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -33,6 +34,14 @@ class Connectivity : public Mesh {
   void rollback(Mark mark) override;
   void forget() override;
   void protect(int k, Index s) override;
+
+  // Properties of the user's (all but the status and our own): the mesh carries them through the operations
+  // by fixed rules, whatever their type, unless they are left to somebody else.
+  bool has_values(int k) const override;
+  /// From now on, as long as `still` says so, somebody else writes this property in operations, with a
+  /// journal of its own.
+  void leave(const OpenMesh::BaseProperty& property, std::function<bool()> still);
+  bool is_left(const OpenMesh::BaseProperty& property) const;
 
   void add_anchors() override;
   void remove_anchors() override;
@@ -91,6 +100,13 @@ class Connectivity : public Mesh {
   void copy_edge_properties(int from_halfedge, int to_halfedge);    // and those of both halfedges
   void copy_corner_properties(int from_halfedge, int to_halfedge);  // of these halfedges alone
   void copy_face_properties(int from, int to);
+  // Exchanged with those of an element that dies, so that they can come back.
+  void exchange_edge_values(int kept, int dying);
+  void exchange_halfedge_values(int kept, int dying);
+  /// The edge has those of a new one, its halfedges those of two others.
+  void renew_edge(int halfedge, int like, int opposite_like);
+  /// Adds the flags of another edge.
+  void unite_edge_flags(int kept, int other);
 
   /// Per simplex, one more than the facet of the child over it; 0: none.
   const std::vector<Index>& link_column(LinkSet links) const { return *links_[links].facet_plus_one; }
@@ -120,6 +136,9 @@ class Connectivity : public Mesh {
     edges,
     faces,  // counts
     spare,
+    edge_values,
+    halfedge_values,
+    renewed,
   };
   struct Entry {
     Word word;
@@ -148,6 +167,22 @@ class Connectivity : public Mesh {
   void set_dart_blocks(Compaction& moved) const;
   void undo(const Entry& e);
   void copy_properties(int k, std::size_t from, std::size_t to);
+  bool is_carried(const OpenMesh::BaseProperty& property) const;
+  template <class Visit>
+  void for_each_edge_property(const Visit& visit) const;
+  template <class Visit>
+  void for_each_halfedge_property(const Visit& visit) const;
+  void exchange(const Entry& e);
+  int make_spare(int k);
+
+  struct Left {
+    const OpenMesh::BaseProperty* property;
+    std::function<bool()> still;
+  };
+  std::vector<Left> left_;
+  void find_data_of_default_traits();
+  /// What OpenMesh's default traits keep at each edge and halfedge: nothing.
+  const OpenMesh::BaseProperty* no_data_[2] = {nullptr, nullptr};
 
   std::unique_ptr<OpenMesh::PolyConnectivity> owned_;
   Attachment attachment_;

@@ -31,6 +31,9 @@ class EdgeMesh final : public Connectivity {
     return {static_cast<std::uint8_t>((code(from) ^ code(to)) & 1U)};
   }
   void vertices(Dart d, Index* out) const override;
+  /// A corner is the halfedge that points to the vertex.
+  Index corner(Dart d) const override { return static_cast<Index>(half(d) ^ 1); }
+  Index corner_capacity() const override { return static_cast<Index>(om_.n_halfedges()); }
   void star(Dart d, int k, DartBuffer& out) const override;
   bool is_boundary(Dart d, int k) const override;
   bool link_condition(Dart e) const override;

@@ -258,7 +258,7 @@ void TriangleMesh::split_edge(Dart e, SplitRecord& record) {
   if (fl >= 0) {
     const int s = new_edge(c, to(bl)), f = new_face();
     copy_face_properties(fl, f);
-    copy_corner_properties(bl, s), copy_corner_properties(h, s ^ 1);
+    copy_corner_properties(bl, s), copy_corner_properties(la, s ^ 1);
     set_next(n, s), set_next(s, la), set_next(la, n);
     set_next(h, bl), set_next(bl, s ^ 1), set_next(s ^ 1, h);
     for (const int x : {n, s, la}) set_face(x, f);
@@ -274,7 +274,7 @@ void TriangleMesh::split_edge(Dart e, SplitRecord& record) {
   if (fr >= 0) {
     const int t = new_edge(c, to(ar)), g = new_face();
     copy_face_properties(fr, g);
-    copy_corner_properties(ar, t), copy_corner_properties(o, t ^ 1);
+    copy_corner_properties(ar, t), copy_corner_properties(rb, t ^ 1);
     set_next(m, ar), set_next(ar, t ^ 1), set_next(t ^ 1, m);
     set_next(o, t), set_next(t, rb), set_next(rb, o);
     for (const int x : {m, ar, t ^ 1}) set_face(x, g);
@@ -323,6 +323,22 @@ void TriangleMesh::collapse_region(Dart e, CollapseRegion& region) const {
     // Around an a of valence three it is one facet.
     if (face(ra) >= 0 && face(ra) != outer_left) region.renamed.push_back(make(ra, 0));
   }
+}
+
+// As collapse_edge() will have it: b->l takes the place of a->l, r->b that of r->a.
+void TriangleMesh::merge_values(Dart e, const Merging& merging) {
+  const int h = forward(e), o = h ^ 1;
+  if (face(h) >= 0) merge_sides(next(h), prev(h), to(next(h)), merging);
+  if (face(o) >= 0) merge_sides(prev(o), next(o), from(prev(o)), merging);
+}
+
+// Edge b-x is kept, a-x dies. Halfedge `kept` takes the place of the opposite of `dying` in a facet that
+// survives, or in the boundary, with its values.
+void TriangleMesh::merge_sides(int kept, int dying, int x, const Merging& merging) {
+  exchange_halfedge_values(kept, dying ^ 1);
+  if (merging.keep_b) return;
+  unite_edge_flags(kept >> 1, dying >> 1);
+  if (merging.wins(static_cast<Index>(x))) exchange_edge_values(kept >> 1, dying >> 1);
 }
 
 // With h: a->b: a, e and the edges a-l, a-r die. Halfedge b->l takes the place of a->l, r->b that of r->a;
@@ -437,6 +453,7 @@ void TriangleMesh::flip_edge(Dart e) {
   set_halfedge_of(fl, h), set_halfedge_of(fr, o);
   if (out(a) == h) set_out(a, ar);
   if (out(b) == o) set_out(b, bl);
+  renew_edge(h, bl, ar);  // l's corner and r's
 }
 
 // --- validation --------------------------------------------------------------------------------------------

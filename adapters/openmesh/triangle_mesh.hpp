@@ -37,11 +37,18 @@ class TriangleMesh final : public Connectivity {
   Dart reorder(Dart d, Permutation p) const override;
   Permutation order(Dart from, Dart to) const override;
   void vertices(Dart d, Index* out) const override;
+  /// A corner is the halfedge of the face that points to the vertex.
+  Index corner(Dart d) const override {
+    const int h = half(d);
+    return static_cast<Index>(flip(d) ? h : prev(h));
+  }
+  Index corner_capacity() const override { return static_cast<Index>(om_.n_halfedges()); }
   void star(Dart d, int k, DartBuffer& out) const override;
   bool is_boundary(Dart d, int k) const override;
   bool has_link_around(LinkSet links, int j, Dart d, int k) const override;
   bool link_condition(Dart e) const override;
   void split_edge(Dart e, SplitRecord& record) override;
+  void merge_values(Dart e, const Merging& merging) override;
   void collapse_edge(Dart e, CollapseRecord& record) override;
   void collapse_region(Dart e, CollapseRegion& region) const override;
   Dart after_split(const SplitRecord& record, Dart old, End end) const override;
@@ -62,6 +69,7 @@ class TriangleMesh final : public Connectivity {
   Dart dart_at(int v) const;
   bool common_neighbours_span_facets(int h) const;
   int find_halfedge(int from, int to) const;
+  void merge_sides(int kept, int dying, int x, const Merging& merging);
   void close_loop(int kept, int dying);
   int outgoing_after_collapse(int h) const;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,8 @@ class SimplexPropertyBase {
   friend class TetMesh;
   /// Drops values that no simplex has. \return old to new numbers
   virtual std::vector<Index> compact() = 0;
+  /// The number of the value of two simplices that become one; `share`: the part of `other` in it.
+  virtual Index merged(Index kept, Index other, double share) = 0;
 
   SimplexTable& table() noexcept { return table_; }
   const SimplexTable& table() const noexcept { return table_; }
@@ -39,10 +42,19 @@ class SimplexPropertyBase {
 template <class T>
 class SimplexProperty final : public SimplexPropertyBase {
  public:
-  using SimplexPropertyBase::SimplexPropertyBase;
+  /// As ColumnRules::merge.
+  using Merge = std::function<T(const T& kept, const T& other, double share)>;
+  SimplexProperty(int k, std::string name, std::size_t vertices, Merge merge = {})
+      : SimplexPropertyBase(k, std::move(name), vertices), merge_(std::move(merge)) {}
 
  private:
   friend class TetMesh;
+
+  Index merged(Index kept, Index other, double share) override {
+    if (!merge_ || kept == other) return kept;
+    values_.push_back(merge_(values_[kept], values_[other], share));
+    return static_cast<Index>(values_.size() - 1);
+  }
 
   std::vector<Index> compact() override {
     std::vector<Index> number(values_.size(), no_index);
@@ -56,6 +68,7 @@ class SimplexProperty final : public SimplexPropertyBase {
     return number;
   }
 
+  Merge merge_;
   std::vector<T> values_;
 };
 

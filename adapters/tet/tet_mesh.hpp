@@ -69,6 +69,8 @@ class TetMesh final : public Mesh {
   // --- local operations
   bool link_condition(Dart e) const override;
   void split_edge(Dart e, SplitRecord& record) override;
+  bool has_values(int k) const override;
+  void merge_values(Dart e, const Merging& merging) override;
   void collapse_edge(Dart e, CollapseRecord& record) override;
   void collapse_region(Dart e, CollapseRegion& region) const override;
   Dart after_split(const SplitRecord& record, Dart old, End end) const override;
@@ -104,10 +106,14 @@ class TetMesh final : public Mesh {
   void remove_property(const PropertyBase& property);
 
   /// A column on few of the edges (k = 1) or faces (k = 2); where it has no value it costs nothing. Halves of
-  /// a split simplex keep its value; where a collapse makes one of two, that at the surviving vertex is kept.
+  /// a split simplex keep its value. Where a collapse makes one of two, it has the value of the one that has
+  /// one; of two values, that of the simplex in a mesh below if the other is in none, else that at the
+  /// surviving vertex, or what `merge` makes of them.
   template <class T>
-  SimplexProperty<T>& add_simplex_property(int k, std::string name) {
-    auto made = std::make_unique<SimplexProperty<T>>(k, std::move(name), vertex_tet_.size());
+  SimplexProperty<T>& add_simplex_property(int k, std::string name,
+                                           typename SimplexProperty<T>::Merge merge = {}) {
+    auto made =
+        std::make_unique<SimplexProperty<T>>(k, std::move(name), vertex_tet_.size(), std::move(merge));
     SimplexProperty<T>& property = *made;
     adopt(std::move(made));
     return property;

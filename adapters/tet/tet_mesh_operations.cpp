@@ -202,8 +202,38 @@ void TetMesh::halve_values(const Ring& ring, Index a, Index b, Index c) {
   });
 }
 
-// --- collapse
-// ------------------------------------------------------------------------------------------------
+// --- collapse --------------------------------------------------------------------------------------------
+
+bool TetMesh::has_values(int k) const {
+  return std::any_of(simplex_properties_.begin(), simplex_properties_.end(),
+                     [&](const auto& p) { return p->dimension() == k; });
+}
+
+// Where both simplices have a value. What only the one at a has gets its name there when a does.
+void TetMesh::merge_values(Dart e, const Merging& merging) {
+  if (simplex_properties_.empty()) return;
+  const Index a = at(code(e), 0), b = at(code(e), 1);
+  edge_ring(code(e), ring_);
+  for (const auto& p : simplex_properties_) {
+    SimplexTable& table = p->table();
+    if (table.around(a) == 0) continue;
+    const auto merge = [&](Index x, Index y) {
+      const Index with_a[3] = {a, x, y}, with_b[3] = {b, x, y};
+      const Index of_a = table.find(with_a), of_b = table.find(with_b);
+      if (of_a == no_index) return;
+      if (merging.keep_b) return write(table, simplex_key(with_a, table.k()), no_index);
+      if (of_b == no_index) return;
+      const Index now =
+          merging.wins(x, y) ? p->merged(of_a, of_b, merging.t) : p->merged(of_b, of_a, 1 - merging.t);
+      write(table, simplex_key(with_b, table.k()), now);
+    };
+    for (std::size_t i = 0; i < ring_.rim.size(); ++i) {
+      if (table.k() == 1) merge(ring_.rim[i], no_index);
+      if (table.k() == 2 && i < ring_.darts.size())
+        merge(ring_.rim[i], ring_.rim[(i + 1) % ring_.rim.size()]);
+    }
+  }
+}
 
 void TetMesh::collapse_region(Dart e, CollapseRegion& region) const {
   star(e, 1, region.dead);

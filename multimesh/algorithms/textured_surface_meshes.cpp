@@ -59,7 +59,7 @@ Index opposite_edge(const Mesh& root, const Cut& cut, Index f, std::size_t i) {
 
 void add_shading(const TexturedTriangles& input, const Cut& cut, TexturedSurface::Data& out) {
   if (input.shading.empty()) return;
-  out.hard = out.add_property(NodeId::root, OpenMesh::EPropHandleT<char>(), "hard");
+  out.hard = out.add_property(NodeId::root, OpenMesh::EPropHandleT<char>(), "mm:hard");
   out.triangle_shading = out.add_property(NodeId::root, OpenMesh::FPropHandleT<char>(), "shading");
   const Mesh& root = out.tree->mesh(NodeId::root);
   for (Index f = 0; f < input.shading.size(); ++f) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "oracle/image.hpp"
@@ -196,6 +197,112 @@ TEST(Map, FailsOnWhatIsNotInTheTree) {
   EXPECT_THROW(t.tree->map(child, t.tree->mesh(child).dart_of(2, 0), 0, NodeId{7}, MultiMesh::Via::root, out),
                UsageError);
   EXPECT_THROW(t.tree->require_dart(NodeId::root, Dart{100000}), UsageError);
+}
+
+/// Every query of the tree with this node and dart, named.
+std::vector<std::pair<std::string, std::function<void()>>> queries(const MultiMesh& tree, NodeId n, Dart d,
+                                                                   int k, NodeId other, DartBuffer& out) {
+  using Via = MultiMesh::Via;
+  return {
+      {"to_child", [&, n, d, k] { tree.to_child(n, d, k, out); }},
+      {"to_parent", [&, n, d] { (void)tree.to_parent(n, d); }},
+      {"to_root", [&, n, d] { (void)tree.to_root(n, d); }},
+      {"to_ancestor", [&, n, d, other] { (void)tree.to_ancestor(n, d, other); }},
+      {"facet_over", [&, n, d] { (void)tree.facet_over(n, d); }},
+      {"facet_copy", [&, n, d] { (void)tree.facet_copy(n, d); }},
+      {"has_preimage", [&, n, d, k, other] { (void)tree.has_preimage(other, d, k, n); }},
+      {"to_descendant", [&, n, d, k, other] { tree.to_descendant(other, d, k, n, out); }},
+      {"anchor", [&, n, d] { (void)tree.anchor(n, code(d)); }},
+      {"map", [&, n, d, k, other] { tree.map(n, d, k, other, Via::root, out); }},
+      {"map down", [&, n, d, k, other] { tree.map(other, d, k, n, Via::lowest_common_ancestor, out); }},
+      {"same_simplex", [&, n, d, k, other] { (void)tree.same_simplex(n, d, other, d, k); }},
+      {"parent", [&, n] { (void)tree.parent(n); }},
+      {"lowest_common_ancestor", [&, n, other] { (void)tree.lowest_common_ancestor(n, other); }},
+  };
+}
+
+void expect_refused(const MultiMesh& tree, NodeId n, Dart d, int k, NodeId other,
+                    std::initializer_list<const char*> but = {}) {
+  DartBuffer out;
+  for (const auto& [name, query] : queries(tree, n, d, k, other, out)) {
+    const bool checks_less = std::any_of(but.begin(), but.end(), [&](const char* b) { return name == b; });
+    if (!checks_less) {
+      EXPECT_THROW(query(), UsageError) << name;
+    }
+  }
+  EXPECT_TRUE(out.empty());
+}
+
+constexpr std::initializer_list<const char*> by_node_only = {"parent", "lowest_common_ancestor"};
+
+TEST(QueriesOfTheTree, RefuseNodesThatAreNotInTheTree) {
+  Tree t = two_neighbors();
+  add_cut_on_edge01(t, NodeId::root);
+  const Dart d = t.tree->mesh(NodeId::root).dart_of(2, 0);
+  expect_refused(*t.tree, NodeId{7}, d, 0, NodeId::root);
+}
+
+TEST(QueriesOfTheTree, RefuseTheRootWhereAChildIsMeant) {
+  Tree t = two_neighbors();
+  const Dart d = t.tree->mesh(NodeId::root).dart_of(2, 0);
+  DartBuffer out;
+  EXPECT_THROW(t.tree->to_child(NodeId::root, d, 0, out), UsageError);
+  EXPECT_THROW((void)t.tree->to_parent(NodeId::root, d), UsageError);
+  EXPECT_THROW((void)t.tree->facet_over(NodeId::root, d), UsageError);
+  EXPECT_THROW((void)t.tree->facet_copy(NodeId::root, d), UsageError);
+  EXPECT_THROW((void)t.tree->anchor(NodeId::root, 0), UsageError);
+}
+
+TEST(QueriesOfTheTree, RefuseDartsThatAreNotAlive) {
+  Tree t = two_neighbors_plus_one();
+  const NodeId cut = add_cut_on_edge01(t, NodeId::root);
+  const Dart dying = edge(t, NodeId::root, 0, 4);
+  const Dart dead_below = t.tree->facet_copy(cut, dying);
+  ASSERT_TRUE(t.operations->collapse(NodeId::root, dying));
+  ASSERT_FALSE(t.tree->mesh(NodeId::root).is_dart(dying));
+  for (const Dart d : {no_dart, Dart{12345}}) expect_refused(*t.tree, cut, d, 0, NodeId::root, by_node_only);
+  DartBuffer out;
+  EXPECT_THROW(t.tree->to_child(cut, dying, 0, out), UsageError);
+  EXPECT_THROW(t.tree->to_descendant(NodeId::root, dying, 0, cut, out), UsageError);
+  EXPECT_THROW((void)t.tree->has_preimage(NodeId::root, dying, 0, cut), UsageError);
+  EXPECT_THROW((void)t.tree->facet_over(cut, dying), UsageError);
+  EXPECT_THROW((void)t.tree->facet_copy(cut, dying), UsageError);
+  EXPECT_THROW((void)t.tree->to_parent(cut, dead_below), UsageError);
+  EXPECT_THROW((void)t.tree->to_root(cut, dead_below), UsageError);
+  EXPECT_TRUE(out.empty());
+}
+
+TEST(QueriesOfTheTree, RefuseDimensionsThatTheMeshHasNot) {
+  Tree t = two_neighbors();
+  const NodeId cut = add_cut_on_edge01(t, NodeId::root);
+  const Dart d = t.tree->mesh(NodeId::root).dart_of(2, 0);
+  DartBuffer out;
+  for (const int k : {-1, 3, 7}) {
+    EXPECT_THROW(t.tree->to_child(cut, d, k, out), UsageError);
+    EXPECT_THROW(t.tree->to_descendant(NodeId::root, d, k, cut, out), UsageError);
+    EXPECT_THROW((void)t.tree->has_preimage(NodeId::root, d, k, cut), UsageError);
+    EXPECT_THROW(t.tree->map(NodeId::root, d, k, cut, MultiMesh::Via::root, out), UsageError);
+    EXPECT_THROW((void)t.tree->same_simplex(NodeId::root, d, NodeId::root, d, k), UsageError);
+  }
+  EXPECT_TRUE(out.empty());
+}
+
+TEST(QueriesOfTheTree, RefuseMeshesThatAreNotAboveOrBelow) {
+  Tree t = two_neighbors();
+  const NodeId one = add_cut_on_edge01(t, NodeId::root), two = add_cut_on_edge01(t, NodeId::root);
+  const Dart d = t.tree->mesh(one).dart_of(2, 0);
+  DartBuffer out;
+  EXPECT_THROW((void)t.tree->to_ancestor(one, d, two), UsageError);
+  EXPECT_THROW(t.tree->to_descendant(one, d, 0, two, out), UsageError);
+  EXPECT_THROW((void)t.tree->has_preimage(one, d, 0, two), UsageError);
+  EXPECT_TRUE(t.tree->has_preimage(one, d, 0, one));
+}
+
+TEST(QueriesOfTheTree, FindNoCopiesInMeshesThatAreNotThere) {
+  Tree t = two_neighbors();
+  ASSERT_TRUE(t.operations->split(NodeId::root, edge(t, NodeId::root, 0, 1)));
+  EXPECT_TRUE(t.operations->copies().of(NodeId{7}).empty());
+  EXPECT_EQ(t.operations->copies().of(NodeId::root).size(), 1U);
 }
 
 }  // namespace

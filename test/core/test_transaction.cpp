@@ -229,14 +229,24 @@ TEST_P(TransactionsOfSurfaces, SplitCopiesTheUsersValuesToTheNewHalves) {
   }
 }
 
-TEST(UserValues_, AreLeftAloneByCollapseAndSwap) {
+TEST(UserValues_, OfVerticesAndFacesAreLeftAloneByCollapseAndSwap) {
   Tree t(grid(3, 3));
   const UserValues values(t.tree->mesh(NodeId::root));
   const auto all = values.all();
+  const auto others_are_unchanged = [&] {
+    EXPECT_EQ(std::get<0>(values.all()), std::get<0>(all));
+    EXPECT_EQ(std::get<3>(values.all()), std::get<3>(all));
+  };
   ASSERT_TRUE(t.operations->collapse(NodeId::root, edge(t, NodeId::root, 5, 10), Placement::keep_a()));
-  EXPECT_EQ(values.all(), all);
-  ASSERT_TRUE(t.operations->swap(NodeId::root, edge(t, NodeId::root, 0, 5)));
-  EXPECT_EQ(values.all(), all);
+  others_are_unchanged();
+  EXPECT_EQ(std::get<1>(values.all()), std::get<1>(all)) << "edges at the survivor keep theirs";
+  const Dart e = edge(t, NodeId::root, 0, 5);
+  const Index swapped = t.tree->mesh(NodeId::root).simplex(e, 1);
+  ASSERT_TRUE(t.operations->swap(NodeId::root, e));
+  others_are_unchanged();
+  auto edges = std::get<1>(all);
+  edges[swapped] = {};
+  EXPECT_EQ(std::get<1>(values.all()), edges) << "the new edge has nothing";
 }
 
 }  // namespace

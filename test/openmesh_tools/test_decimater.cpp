@@ -2,6 +2,7 @@
 // OpenMesh's decimaters on the root of a tree: by the module, and by the mesh that hides its operations.
 #include <gtest/gtest.h>
 
+#include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/McDecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/MixedDecimaterT.hh>
@@ -85,6 +86,96 @@ TYPED_TEST(DecimaterOfOpenMesh, DecimatesAllMeshesByTheModule) {
     attached.garbage_collection();
     EXPECT_LT(mesh.n_faces(), faces / 3);
     EXPECT_EQ(kept(mesh, attached.tree()), before);
+  }
+}
+
+/// Decimates to a fifth of the faces by the module. The edges of `curves` carry the feature bit, and
+/// `number`; no others.
+template <class Mesh>
+void expect_features_kept(Mesh& mesh, openmesh::Attached<Mesh>& attached, NodeId curves,
+                          OpenMesh::EPropHandleT<int> number) {
+  DecimaterT<Mesh> decimater(mesh);
+  typename ModMultimeshT<Mesh>::Handle tree;
+  typename ModQuadricT<Mesh>::Handle quadric;
+  decimater.add(tree);
+  decimater.add(quadric);
+  decimater.module(tree).drive(attached);
+  decimater.module(quadric).unset_max_err();
+  ASSERT_TRUE(decimater.initialize());
+  (void)decimater.decimate_to_faces(0, mesh.n_faces() / 5);
+  attached.garbage_collection();
+  const auto& m = attached.tree();
+  std::vector<bool> in_curve(mesh.n_edges());
+  for (Index e = 0; e < m.mesh(curves).capacity(1); ++e)
+    in_curve[m.mesh(NodeId::root).simplex(m.to_parent(curves, m.mesh(curves).dart_of(1, e)), 1)] = true;
+  std::size_t on_curves = 0;
+  for (const auto e : mesh.edges()) {
+    const bool wanted = in_curve[static_cast<std::size_t>(e.idx())];
+    on_curves += wanted;
+    EXPECT_EQ(mesh.status(e).feature(), wanted) << "edge " << e.idx();
+    EXPECT_EQ(mesh.property(number, e) != 0, wanted) << "edge " << e.idx();
+  }
+  EXPECT_GT(on_curves, 10U);
+}
+
+/// How many vertices have one edge with the feature bit.
+template <class Mesh>
+std::size_t ends_of_features(const Mesh& mesh) {
+  std::size_t ends = 0;
+  for (const auto v : mesh.vertices()) {
+    std::size_t at = 0;
+    for (const auto e : mesh.ve_range(v)) at += mesh.status(e).feature();
+    ends += at == 1;
+  }
+  return ends;
+}
+
+template <class Mesh, class IsFeature>
+void decimate_with_features(Mesh& mesh, const IsFeature& is_feature) {
+  mesh.request_edge_status(), mesh.request_vertex_status(), mesh.request_face_status();
+  OpenMesh::EPropHandleT<int> number;
+  mesh.add_property(number, "number");
+  for (const auto e : mesh.edges()) {
+    if (!is_feature(e)) continue;
+    mesh.status(e).set_feature(true);
+    mesh.property(number, e) = 1 + e.idx();
+  }
+  const std::size_t ends = ends_of_features(mesh);
+  {
+    openmesh::Attached attached(mesh);
+    const NodeId curves = attached.add_features();
+    expect_features_kept(mesh, attached, curves, number);
+  }
+  EXPECT_EQ(ends_of_features(mesh), ends);
+}
+
+TYPED_TEST(DecimaterOfOpenMesh, KeepsFeatureBitsOnTheCurves) {
+  for (const bool open : {false, true}) {
+    TypeParam mesh;
+    make_torus(mesh, 60, 30, 3, open);
+    const int rows = 30 + open;
+    // Zigzags, so that triangles have two of their sides on a curve.
+    decimate_with_features(mesh, [&](OpenMesh::EdgeHandle e) {
+      const auto h = mesh.halfedge_handle(e, 0);
+      const int v = mesh.from_vertex_handle(h).idx(), w = mesh.to_vertex_handle(h).idx();
+      const bool along = v / rows == w / rows, across = v % rows == w % rows;
+      return (along && v / rows % 7 == 0) || (across && v % rows % 6 == v / rows % 2);
+    });
+  }
+}
+
+TEST(FeatureBits, StayOnTheCurvesOfModels) {
+  const std::string shared = MULTIMESH_SHARED_DATA;
+  for (const char* name : {"fandisk.off", "turbine.off", "couplingdown.off"}) {
+    DoubleMesh mesh;
+    if (shared.empty() || !OpenMesh::IO::read_mesh(mesh, shared + "/surface_closed/" + name))
+      GTEST_SKIP() << "no " << name;
+    SCOPED_TRACE(name);
+    mesh.request_face_normals();
+    mesh.update_face_normals();
+    decimate_with_features(mesh, [&](OpenMesh::EdgeHandle e) {
+      return std::abs(mesh.calc_dihedral_angle_fast(e)) > 40 * 3.14159265 / 180;
+    });
   }
 }
 

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "multimesh/attribute.hpp"
+
+namespace multimesh {
+
+/// What a new slot holds (Eigen's types: zeros).
+template <class T>
+T initial_value() {
+  if constexpr (requires { T::Zero(); }) {
+    return T::Zero();
+  } else {
+    return T{};
+  }
+}
+
+// clang-format off
+/// What becomes of the values of a column in each operation. Without a function, the value stays what it is.
+///
+///        b                b           b        Collapse of a into b: l-a and l-b become one edge, r-a and r-b too.
+///       /|\              / \         /|\       Of the two values, the one that is kept is that of the edge in a
+///      / | \   swap     /   \       / c \      curve below, if the other is in none, else that at b.
+///     l  |  r   ->    l-----r     l--|--r      Split: a-c and c-b are halves of a-b; c-l and c-r are fresh. Facets
+///      \ | /            \   /       \ | /      a-c-l and c-b-l are halves of a-b-l.
+///       \|/              \ /         \|/       Swap: l-r is fresh. The facet that has a before b in its own order
+///        a                a           a        keeps its value as the one at a; the other is the one at b.
+///
+/// A corner stays with its facet: the halves of a-b-l have the corners of the whole, with c's for b's or a's; in a
+/// collapse b has the corner of a in the facets that had a; in a swap l and r take theirs along. A swap in a tree with
+/// tetrahedra is a split, and a collapse of c into l that changes nothing at l.
+// clang-format on
+template <class T>
+struct ColumnRules {
+  /// Collapse: of the value that is kept and the other; (1-share) and share are their parts of the merged
+  /// simplex.
+  std::function<T(const T& kept, const T& other, double share)> merge{};
+  /// Split: of a half that is this share of the whole. At corners, see `between`.
+  std::function<T(const T& whole, double share)> halve{};
+  /// Swap: of a facet and the other one of the two; of the old edge (twice) for the new one.
+  std::function<T(const T& own, const T& other)> swap{};
+  /// Split: of the corner of a new vertex at (1-t) a + t b of a facet, by those at a and at b.
+  std::function<T(const T& a, const T& b, double t)> between{};
+  /// What a new edge has that is no half of another.
+  T fresh = initial_value<T>();
+
+  /// Flags: the merged simplex has those of both.
+  static ColumnRules unite() {
+    return {.merge = [](const T& x, const T& y, double) { return T(x | y); }};
+  }
+  static ColumnRules larger() {
+    return {.merge = [](const T& x, const T& y, double) { return std::max(x, y); }};
+  }
+  static ColumnRules smaller() {
+    return {.merge = [](const T& x, const T& y, double) { return std::min(x, y); }};
+  }
+  /// Where the merged vertex is nearer, values count more; likewise the corners of a new vertex.
+  static ColumnRules interpolate() { return {.merge = interpolated<T>, .between = interpolated<T>}; }
+};
+
+/// Values on the simplices of one dimension k > 0 of a mesh, or on its corners, that follow the operations by
+/// rules. \pre Mesh::stores(k), or Mesh::corner: an edge of a tetrahedral mesh has no index that lasts
+/// (tet::SimplexProperty has its values then). The mesh must leave the vector alone.
+template <class T>
+class Column final : public ValueAttribute<T> {
+ public:
+  Column(NodeId node, int k, std::vector<T>& values, ColumnRules<T> rules = {})
+      : ValueAttribute<T>(node, k, values), rules_(std::move(rules)) {
+    if (k == 0) throw UsageError("values on vertices are a VertexAttribute, not a Column");
+  }
+
+  void update(Operation, const VertexChange&) override {}
+  void finish(const Event& event) override {
+    if (this->dimension() == corners) return move_corners(event);
+    for (const SimplexChange& c : event.changes->simplices)
+      if (c.node == this->node() && c.k == this->dimension()) apply(c, event.t);
+  }
+
+ private:
+  void apply(const SimplexChange& c, double t) {
+    const T first = (*this)[c.first], second = (*this)[c.second == no_index ? c.first : c.second];
+    switch (c.kind) {
+      case SimplexChange::Kind::halved:
+        return halve(c, t);
+      case SimplexChange::Kind::merged:
+        if (rules_.merge) {
+          this->set(c.first, c.second_wins ? rules_.merge(second, first, 1 - c.share)
+                                           : rules_.merge(first, second, c.share));
+        } else if (c.second_wins) {
+          this->set(c.first, second);
+        }
+        return;
+      case SimplexChange::Kind::fresh:
+        return this->set(c.first, rules_.fresh);
+      case SimplexChange::Kind::swapped:
+        if (rules_.swap) {
+          this->set(c.first, rules_.swap(first, second));
+          if (c.second != c.first) this->set(c.second, rules_.swap(second, first));
+        } else if (c.second == c.first) {
+          this->set(c.first, rules_.fresh);
+        }
+    }
+  }
+  void halve(const SimplexChange& c, double t) {
+    const T whole = (*this)[c.whole];
+    this->set(c.first, rules_.halve ? rules_.halve(whole, t) : whole);
+    this->set(c.second, rules_.halve ? rules_.halve(whole, 1 - t) : whole);
+  }
+
+  void move_corners(const Event& event) {
+    const std::vector<CornerChange>& all = event.changes->corners;
+    for (std::size_t i = 0, end; i < all.size(); i = end) {
+      for (end = i; end < all.size() && all[end].copy == all[i].copy; ++end) {
+      }
+      if (all[i].node != this->node()) continue;
+      moved_.clear();
+      for (std::size_t j = i; j < end; ++j) moved_.push_back(moved(all[j], event.t));
+      for (std::size_t j = i; j < end; ++j) this->set(all[j].to, moved_[j - i]);
+    }
+  }
+  T moved(const CornerChange& c, double t) const {
+    if (c.a == no_index || !rules_.between) return (*this)[c.from];
+    return rules_.between((*this)[c.a], (*this)[c.b], t);
+  }
+
+  ColumnRules<T> rules_;
+  std::vector<T> moved_;
+};
+
+}  // namespace multimesh
