@@ -12,6 +12,7 @@
 #include "tools/html_report.hpp"
 #include "tools/output_check.hpp"
 #include "tools/surface_file.hpp"
+#include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
 
@@ -20,6 +21,7 @@ namespace {
 struct CompareArguments {
   std::string original, other, html;
   CompareOptions options;
+  io::SurfaceWeldOptions weld;
   bool json = false, follow_paths = false;
 };
 
@@ -104,7 +106,7 @@ void run(const CompareArguments& a) {
     require_html_report();
     check_output_path(a.html, {a.original, a.other});
   }
-  SurfaceFile original = read_surface(a.original), other = read_surface(a.other);
+  SurfaceFile original = read_surface(a.original, a.weld), other = read_surface(a.other, a.weld);
   original.follow_paths = other.follow_paths = a.follow_paths;
   CompareOptions options = a.options;
   options.per_vertex = !a.html.empty();
@@ -130,8 +132,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("compare", "How far a decimated surface, and its texture, are from the original.");
   auto a = std::make_shared<CompareArguments>();
-  command->add_option("ORIGINAL", a->original, "OBJ or PLY file")->required();
-  command->add_option("OTHER", a->other, "OBJ or PLY file, to be drawn with the original's texture image")
+  command->add_option("ORIGINAL", a->original, "surface, as decimate reads it")->required();
+  command->add_option("OTHER", a->other, "surface, to be drawn with the original's texture image")
       ->required();
   command->add_option("--samples", a->options.samples, "points per surface")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 27))
@@ -141,6 +143,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                    "0: as many as there are cores; the numbers do not depend on it")
       ->check(CLI::Range(0U, 1024U))
       ->capture_default_str();
+  add_weld_options(*command, a->weld);
   command->add_flag("--json", a->json, "print JSON");
   command->add_option("--report-html", a->html,
                       "write a page with both surfaces in 3D and the errors measured");

@@ -8,6 +8,7 @@
 #include "multimesh/error.hpp"
 #include "tools/follow_paths.hpp"
 #include "tools/number_check.hpp"
+#include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
 
@@ -98,12 +99,18 @@ void add_weights(CLI::App& command, DecimateArguments& a) {
 }  // namespace
 
 void add_options(CLI::App& command, DecimateArguments& a) {
-  command.add_option("IN", a.input, "textured OBJ (or PLY) file")->required();
-  command.add_option("-o,--output", a.output, "OBJ file to write")->required();
+  command
+      .add_option("IN", a.input,
+                  "surface to read: OBJ, PLY, OFF, STL; MSH, MEDIT, VTK, VTU, VTP; also gzipped")
+      ->required();
+  command
+      .add_option("-o,--output", a.output, "file to write: OBJ; or PLY, OFF, STL, which have room for less")
+      ->required();
   add_targets(command, a);
   add_limits(command, a);
   add_weights(command, a);
   add_follow_paths(command, a.follow_paths);
+  add_weld_options(command, a.weld);
   command.add_option("--report", a.report, "write what was done, and what stood in the way, as JSON");
   command.add_option("--report-html", a.html,
                      "write a page with both surfaces in 3D, their atlases and the errors measured");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/io/weld_surface.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 
 namespace multimesh::tools {
@@ -20,6 +21,7 @@ struct DecimateArguments {
   DecimateOptions weights;  ///< only cost and weights of it
   std::string cost = "quadric";
   bool measure = false, quiet = false, follow_paths = false;
+  io::SurfaceWeldOptions weld;
 };
 
 /// Adds the options to the command; they are written into `a` when it is parsed.

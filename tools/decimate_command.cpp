@@ -16,8 +16,10 @@
 #include "tools/comparison_page.hpp"
 #include "tools/decimate_report.hpp"
 #include "tools/html_report.hpp"
+#include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/surface_file.hpp"
+#include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
 
@@ -45,7 +47,7 @@ void check_report_path(const std::string& report, const DecimateArguments& a) {
 }
 
 void check_paths(const DecimateArguments& a) {
-  check_obj_output(a.output);
+  check_surface_output(a.output);
   for (std::size_t level = 1; level <= a.levels.size(); ++level) {
     const fs::path path = level_path(a.output, level);
     check_output_path(path, {});
@@ -73,7 +75,9 @@ void add_new(std::vector<std::string>& warnings, const std::vector<std::string>&
 class Run {
  public:
   explicit Run(const DecimateArguments& a)
-      : a_(a), file_(read_surface(a.input)), options_(decimate_options(a, file_.input.triangles.size())) {
+      : a_(a),
+        file_(read_surface(a.input, a.weld)),
+        options_(decimate_options(a, file_.input.triangles.size())) {
     file_.follow_paths = a.follow_paths;
   }
 
@@ -91,6 +95,7 @@ class Run {
     return (!a_.quiet || wants_report()) && may_have_lost_texture(options_, result_);
   }
   bool wants_report() const { return !a_.report.empty() || !a_.html.empty(); }
+  void write(const fs::path& path, const TexturedSurface& surface, std::vector<std::string>& warnings);
   void write_level(const TexturedSurface& surface, std::size_t level);
   void measure(Json& j);
 
@@ -98,6 +103,7 @@ class Run {
   const DecimateArguments& a_;
   SurfaceFile file_;
   DecimateOptions options_;
+  SurfaceTopology topology_;  ///< before
   DecimateResult result_;
   Json before_, after_, levels_ = Json::array(), texture_loss_;
   double seconds_ = 0;
@@ -109,12 +115,18 @@ class Run {
 void Run::write_level(const TexturedSurface& surface, std::size_t level) {
   const fs::path path = level_path(a_.output, level + 1);
   std::vector<std::string> warnings;  // the same as for the last one
-  write_surface(path, surface, file_, warnings);
+  write(path, surface, warnings);
   levels_.push_back({{"output", path.string()}, {"faces", surface.live_triangles()}});
+}
+
+void Run::write(const fs::path& path, const TexturedSurface& surface, std::vector<std::string>& warnings) {
+  write_if_same_mesh(path, topology_, surface,
+                     [&](const fs::path& to) { write_surface(to, surface, file_, warnings); });
 }
 
 void Run::decimate() {
   TexturedSurface surface = take_surface(file_, surface_options(a_));
+  topology_ = topology_of(surface);
   if (wants_report()) before_ = to_json(surface);
   const bool show = !a_.quiet && isatty(STDERR_FILENO);
   if (show)
@@ -122,7 +134,7 @@ void Run::decimate() {
   options_.on_level = [&](std::size_t level) { write_level(surface, level); };
   result_ = multimesh::decimate(surface, options_);
   if (show) std::cerr << "\r";
-  write_surface(a_.output, surface, file_, file_.warnings);
+  write(a_.output, surface, file_.warnings);
   if (wants_report()) after_ = to_json(surface);
   if (wants_comparison() || wants_texture_check()) left_ = surface.triangles(source_);
   seconds_ = seconds();
@@ -141,7 +153,7 @@ void Run::check_texture() {
 
 /// Against the input, which is read again: while the surface was decimated, its memory was better used.
 void Run::measure(Json& j) {
-  SurfaceFile input = read_surface(a_.input);
+  SurfaceFile input = read_surface(a_.input, a_.weld);
   input.follow_paths = a_.follow_paths;
   SurfaceComparison comparison =
       compare_surfaces(input.input, left_, {.topology = false, .per_vertex = !a_.html.empty()});
@@ -164,6 +176,8 @@ void Run::write_reports() {
   j["before"] = before_;
   j["after"] = after_;
   j["seconds"] = seconds_;
+  j["options"].update(to_json(a_.weld));
+  j["welded"] = to_json(file_.weld);
   j["warnings"] = file_.warnings;
   if (!texture_loss_.is_null()) j["texture_loss"] = texture_loss_;
   if (wants_comparison()) measure(j);

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <set>
 
 #include "adapters/io/group_tags.hpp"
+#include "adapters/io/polygons_to_simplices.hpp"
 #include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/simplex_writer.hpp"
+#include "adapters/io/soup_check.hpp"
 #include "adapters/io/used_points.hpp"
 #include "multimesh/coordinate_range.hpp"
 #include "multimesh/error.hpp"
@@ -100,6 +103,17 @@ TexturedTriangles triangles_of(const DomainFile& file) {
     t.labels.push_back(static_cast<Index>(block.tags[f]));
   }
   return t;
+}
+
+io::PolygonSoup polygons_of(const DomainFile& file) {
+  if (file.soup.points.size() > std::numeric_limits<std::int32_t>::max())
+    throw InputError(file.path.string() + ": more than 2147483647 points are too many for a surface");
+  if (file.soup.simplices[2].size() + file.soup.simplices[1].size() == 0)
+    throw InputError(file.path.string() + ": has no tetrahedra, triangles or edges");
+  io::PolygonSoup soup = io::to_grouped_polygons(file.soup);
+  soup.warnings = file.warnings;
+  io::clean_faces(soup, file.path.string(), false);
+  return soup;
 }
 
 std::vector<std::string> warnings_of(const TetDomainReport& r) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/io/polygon_soup.hpp"
 #include "adapters/io/simplex_soup.hpp"
 #include "multimesh/algorithms/tet_domain.hpp"
 #include "multimesh/algorithms/textured_triangles.hpp"
@@ -35,6 +36,8 @@ std::vector<std::int32_t> tags_of_groups(const DomainFile& file, int dimension,
 TaggedTetrahedra take_tetrahedra(DomainFile& file);
 /// The triangles; the lists of the soup are copied.
 TexturedTriangles triangles_of(const DomainFile& file);
+/// The triangles and edges, copied; a group for each tag. \throw InputError if there are none or too many
+io::PolygonSoup polygons_of(const DomainFile& file);
 
 /// What was odd about the input, in sentences.
 std::vector<std::string> warnings_of(const TetDomainReport& report);

@@ -4,10 +4,12 @@
 
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
+#include "tools/curve_file.hpp"
 #include "tools/domain_file.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/surface_file.hpp"
 #include "tools/surface_json.hpp"
+#include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
 
@@ -15,6 +17,7 @@ namespace {
 
 struct InfoArguments {
   std::string input;
+  io::SurfaceWeldOptions weld;
   bool json = false;
 };
 
@@ -27,7 +30,10 @@ Json contents_json(const SurfaceFile& file) {
           {"faces", c.faces},
           {"quads", c.quads},
           {"larger_polygons", c.larger_polygons},
+          {"repeated_faces_left_out", c.repeated_faces},
+          {"collapsed_faces_left_out", c.collapsed_faces},
           {"triangles", c.triangles},
+          {"polylines", c.polylines},
           {"materials", c.materials},
           {"groups", c.groups},
           {"objects", c.objects},
@@ -44,6 +50,8 @@ Json describe(const SurfaceFile& file, const TexturedSurface& surface) {
                    {"edges_with_opposite_orientations", m.inconsistent_edges},
                    {"vertex_copies_made_to_cut_it", m.cut_vertices},
                    {"triangles_reversed", surface.cut_report().reversed_triangles}};
+  j["joined"] = to_json(topology_of(surface));
+  j["welded"] = to_json(file.weld);
   j["triangles_without_texcoords"] = surface.cut_report().triangles_without_texcoords;
   j["meshes"] = to_json(surface);
   j["warnings"] = file.warnings;
@@ -65,11 +73,24 @@ void print(const Json& j) {
             << " vn, " << c["faces"] << " faces (" << c["quads"] << " quads, " << c["larger_polygons"]
             << " larger), " << c["materials"].size() << " materials, " << c["groups"].size() << " groups, "
             << c["objects"].size() << " objects\n";
+  if (c["repeated_faces_left_out"] != 0 || c["collapsed_faces_left_out"] != 0)
+    std::cout << "  left out: " << c["repeated_faces_left_out"] << " repeated faces, "
+              << c["collapsed_faces_left_out"] << " collapsed ones\n";
+  const Json& w = j["welded"];
+  if (w["coincident_vertices"] != 0)
+    std::cout << "  coincident vertices: " << w["coincident_vertices"] << ", of which "
+              << w["welded_vertices"] << " are joined\n";
   const Json& m = j["manifold"];
   std::cout << "  " << (m["as_given"].get<bool>() ? "manifold" : "not manifold, cut") << ": "
             << m["edges_with_three_or_more_faces"] << " edges with three or more faces, "
             << m["edges_with_opposite_orientations"] << " with opposite orientations, "
             << m["vertex_copies_made_to_cut_it"] << " vertex copies made\n";
+  if (!m["as_given"].get<bool>()) {
+    const Json& joined = j["joined"];
+    std::cout << "  as given: " << joined["vertices"] << " vertices, " << joined["components"]
+              << " components, Euler characteristic " << joined["euler_characteristic"] << ", "
+              << joined["boundary_loops"] << " boundary loops\n";
+  }
   print_mesh("surface", j["meshes"]["surface"]);
   if (j["meshes"]["texture"].is_null()) {
     std::cout << "  no texture coordinates\n";
@@ -84,20 +105,32 @@ void print(const Json& j) {
       std::cout << "  " << name << ": " << (std::string_view(name) == "seams" ? "  " : "") << s["edges"]
                 << " edges in " << s["curves"] << " curves, " << s["ends"] << " ends, " << s["junctions"]
                 << " junctions\n";
-  for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
+  for (const auto& warning : j["warnings"]) std::cerr << "warning: " << warning.get<std::string>() << '\n';
 }
 
-/// Triangles of a file that may also hold tetrahedra.
-SurfaceFile surface_of(DomainFile& file) {
-  if (file.soup.simplices[2].size() == 0)
-    throw InputError(file.path.string() + ": has neither tetrahedra nor triangles");
-  SurfaceFile surface;
-  surface.path = file.path;
-  surface.input = triangles_of(file);
-  surface.contents.positions = file.soup.points.size();
-  surface.contents.faces = surface.contents.triangles = surface.input.triangles.size();
-  surface.warnings = std::move(file.warnings);
-  return surface;
+Json describe_curves(const io::PolygonSoup& soup, const std::string& path) {
+  const PolylineReport r = report_polylines(soup);
+  return {
+      {"file", path},
+      {"contents", {{"positions", soup.positions.size()}, {"polylines", soup.line_count()}, {"faces", 0}}},
+      {"meshes",
+       {{"curves",
+         {{"vertices", r.vertices},
+          {"edges", r.curves.edges},
+          {"curves", r.curves.curves},
+          {"ends", r.curves.ends},
+          {"junctions", r.curves.junctions}}}}},
+      {"edges_from_a_vertex_to_itself", r.collapsed},
+      {"warnings", soup.warnings}};
+}
+
+void print_curves(const Json& j) {
+  const Json& c = j["meshes"]["curves"];
+  std::cout << j["file"].get<std::string>() << "\n  file:    " << j["contents"]["positions"] << " v, "
+            << j["contents"]["polylines"] << " polylines, no faces\n  curves:  " << c["vertices"]
+            << " vertices, " << c["edges"] << " edges in " << c["curves"] << " curves, " << c["ends"]
+            << " ends, " << c["junctions"] << " junctions\n";
+  for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
 }
 
 Json describe(DomainFile& file) {
@@ -139,8 +172,9 @@ void print_domain_file(const Json& j) {
 void add_info_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("info", "What is in a file, mesh by mesh.");
   auto arguments = std::make_shared<InfoArguments>();
-  command->add_option("FILE", arguments->input, "OBJ, PLY, STL, OFF; MSH, MEDIT, VTU, VTK; also gzipped")
+  command->add_option("FILE", arguments->input, "OBJ, PLY, STL, OFF; MSH, MEDIT, VTU, VTP, VTK; also gzipped")
       ->required();
+  add_weld_options(*command, arguments->weld);
   command->add_flag("--json", arguments->json, "print JSON");
   command->footer(
       "A textured file is two meshes: the surface, by positions, and the texture, by texture coordinates. "
@@ -150,20 +184,25 @@ void add_info_command(CLI::App& app, int& exit_code) {
       "tetrahedra is three: the tetrahedra; the surface, which is their boundary, the interfaces between\n"
       "regions and the triangles that are listed; and curves, where sheets of the surface meet and edges "
       "that\n"
-      "are listed. Input that is not manifold is cut, and the numbers are those of the cut meshes.");
+      "are listed. Input that is not manifold is cut, and the numbers of the meshes are those of the cut "
+      "ones; \n"
+      "those of the surface as given stand before them.");
   command->callback([arguments, &exit_code] {
     const auto tell = [&](const Json& j, void (*in_lines)(const Json&)) {
       arguments->json ? void(std::cout << to_text(j)) : in_lines(j);
     };
-    const auto tell_surface = [&](const SurfaceFile& file) {
+    const std::string& path = arguments->input;
+    const auto tell_polygons = [&](io::PolygonSoup soup) {
+      if (soup.face_count() == 0) return tell(describe_curves(soup, path), print_curves);
+      const SurfaceFile file = to_surface(std::move(soup), path, arguments->weld);
       tell(describe(file, TexturedSurface(file.input)), print);
     };
-    if (is_surface_format(arguments->input)) {
-      tell_surface(read_surface(arguments->input));
-    } else if (DomainFile file = read_domain_file(arguments->input); file.soup.simplices[3].size() > 0) {
+    if (is_surface_format(path)) {
+      tell_polygons(read_polygons(path, true));
+    } else if (DomainFile file = read_domain_file(path); file.soup.simplices[3].size() > 0) {
       tell(describe(file), print_domain_file);
     } else {
-      tell_surface(surface_of(file));
+      tell_polygons(polygons_of(file));
     }
     if (!std::cout.flush()) throw InputError("standard output: writing failed");
     exit_code = done;

@@ -30,13 +30,8 @@ std::filesystem::path beside(const std::filesystem::path& output) {
   return path;
 }
 
-}  // namespace
-
-void write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
-                        const TetDomain& domain,
-                        const std::function<void(const std::filesystem::path&)>& write) {
-  const TaggedTetrahedra joined = domain.tagged();
-  const std::vector<std::string> faults = differences(before, topology_of(joined), rounding_of(joined));
+void write_or_keep_aside(const std::filesystem::path& output, const std::vector<std::string>& faults,
+                         const Write& write) {
   if (faults.empty()) return write(output);
   const auto aside = beside(output);
   write(aside);
@@ -44,6 +39,19 @@ void write_if_same_mesh(const std::filesystem::path& output, const TetTopology& 
   for (const std::string& f : faults) message += (&f == &faults.front() ? "" : "; ") + f;
   throw InputError(message + "). The result is kept in " + aside.string() +
                    "; please report this with the input");
+}
+
+}  // namespace
+
+void write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
+                        const TetDomain& domain, const Write& write) {
+  const TaggedTetrahedra joined = domain.tagged();
+  write_or_keep_aside(output, differences(before, topology_of(joined), rounding_of(joined)), write);
+}
+
+void write_if_same_mesh(const std::filesystem::path& output, const SurfaceTopology& before,
+                        const TexturedSurface& surface, const Write& write) {
+  write_or_keep_aside(output, differences(before, topology_of(surface)), write);
 }
 
 }  // namespace multimesh::tools

@@ -3,6 +3,7 @@
 
 #include <system_error>
 
+#include "adapters/io/gunzip.hpp"
 #include "adapters/io/output_path.hpp"
 #include "multimesh/error.hpp"
 
@@ -19,11 +20,14 @@ void check_output_path(const std::filesystem::path& output,
                        ", which this run reads or writes, too; choose another name");
 }
 
-void check_obj_output(const std::filesystem::path& output) {
+void check_surface_output(const std::filesystem::path& output) {
   check_output_path(output, {});
-  const std::string extension = output.extension().string();
-  if (extension != ".obj" && extension != ".OBJ")
-    throw InputError(output.string() + ": only OBJ files are written; give a name that ends in .obj");
+  const std::string extension = io::format_extension(output);
+  const bool is_known =
+      extension == ".obj" || extension == ".ply" || extension == ".off" || extension == ".stl";
+  if (!is_known || output.extension() == ".gz")
+    throw InputError(output.string() +
+                     ": only OBJ, PLY, OFF and STL files are written; give a name that ends in .obj");
 }
 
 }  // namespace multimesh::tools

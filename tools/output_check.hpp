@@ -10,7 +10,7 @@ namespace multimesh::tools {
 /// that is one of the files in `others`. \throw InputError
 void check_output_path(const std::filesystem::path& output, const std::vector<std::filesystem::path>& others);
 
-/// The same of a surface that is to be written, which must be an OBJ file. \throw InputError
-void check_obj_output(const std::filesystem::path& output);
+/// The same of a surface that is to be written, which must be an OBJ, PLY, OFF or STL file. \throw InputError
+void check_surface_output(const std::filesystem::path& output);
 
 }  // namespace multimesh::tools

@@ -13,6 +13,8 @@
 #include "multimesh/algorithms/shading.hpp"
 #include "multimesh/algorithms/turn_reversed.hpp"
 #include "multimesh/error.hpp"
+#include "tools/domain_file.hpp"
+#include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
 
@@ -43,17 +45,15 @@ std::vector<To> taken(std::vector<From>& list) {
 }
 
 FileContents contents(const io::PolygonSoup& soup) {
-  FileContents c{soup.positions.size(),
-                 soup.texcoords.size(),
-                 soup.normals.size(),
-                 soup.colors.size(),
-                 soup.face_count(),
-                 0,
-                 0,
-                 0,
-                 {},
-                 {},
-                 {}};
+  FileContents c;
+  c.positions = soup.positions.size();
+  c.texcoords = soup.texcoords.size();
+  c.normals = soup.normals.size();
+  c.colors = soup.colors.size();
+  c.faces = soup.face_count();
+  c.polylines = soup.line_count();
+  c.repeated_faces = soup.notes.repeated_faces;
+  c.collapsed_faces = soup.notes.collapsed_faces;
   std::vector<bool> used(soup.sections.size(), false);
   for (std::size_t f = 0; f < soup.face_count(); ++f) {
     c.quads += soup.face(f).size() == 4;
@@ -70,12 +70,13 @@ FileContents contents(const io::PolygonSoup& soup) {
   return c;
 }
 
-/// A number per section: equal for equal materials.
-std::vector<Index> material_numbers(const std::vector<io::PolygonSoup::Section>& sections) {
+/// A number per section: equal for equal materials. Formats with tags have groups for them.
+std::vector<Index> material_numbers(const std::vector<io::PolygonSoup::Section>& sections, bool has_tags) {
   std::map<std::string, Index> number;
   std::vector<Index> of_sections;
   for (const auto& s : sections)
-    of_sections.push_back(number.try_emplace(s.material, static_cast<Index>(number.size())).first->second);
+    of_sections.push_back(
+        number.try_emplace(has_tags ? s.group : s.material, static_cast<Index>(number.size())).first->second);
   return of_sections;
 }
 
@@ -91,7 +92,7 @@ bool any_normal(const Normals& corners) {
 void take_triangles(io::PolygonSoup& soup, SurfaceFile& file, Normals& normals) {
   const io::TriangleSoup triangles = io::triangulate(soup);
   decltype(soup.corners)().swap(soup.corners);
-  const std::vector<Index> materials = material_numbers(soup.sections);
+  const std::vector<Index> materials = material_numbers(soup.sections, !is_surface_format(file.path));
   file.input.triangles.reserve(triangles.triangles.size());
   std::size_t repeated = 0, partly = 0;
   for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
@@ -113,16 +114,36 @@ void take_triangles(io::PolygonSoup& soup, SurfaceFile& file, Normals& normals) 
   add_count(file.warnings, partly, "triangles have texture coordinates on some corners only; they lose them");
 }
 
+void check_size(const SurfaceFile& file) {
+  try {
+    multimesh::check_size(file.input);
+  } catch (const InputError& e) {
+    throw InputError(file.path.string() + ": " + e.what());
+  }
+}
+
 }  // namespace
+
+io::PolygonSoup read_polygons(const std::filesystem::path& path, bool keep_lines) {
+  if (is_surface_format(path)) return io::read_mesh(path, {.keep_lines = keep_lines});
+  DomainFile file = read_domain_file(path);
+  if (file.soup.simplices[3].size() > 0)
+    throw InputError(path.string() + ": has tetrahedra; give a surface, or use `multimesh improve`");
+  if (file.soup.simplices[2].size() == 0 && !keep_lines)
+    throw InputError(path.string() + ": has points or lines but no triangle; give a surface");
+  return polygons_of(file);
+}
 
 // Lists of the soup are given back one by one as the triangles take their place: both together would be the
 // largest thing in memory for a while.
-SurfaceFile read_surface(const std::filesystem::path& path) {
-  io::PolygonSoup soup = io::read_mesh(path);
+SurfaceFile to_surface(io::PolygonSoup soup, const std::filesystem::path& path,
+                       const io::SurfaceWeldOptions& weld) {
   SurfaceFile file;
   file.path = path;
   file.contents = contents(soup);
+  file.weld = io::weld_surface(soup, weld, path.string());
   file.warnings = std::move(soup.warnings);
+  for (std::string& w : weld_warnings(file.weld, weld)) file.warnings.push_back(std::move(w));
   file.material_libraries = std::move(soup.material_libraries);
   file.materials = std::move(soup.materials);
   Normals normal_corners;
@@ -134,11 +155,16 @@ SurfaceFile read_surface(const std::filesystem::path& path) {
   file.input.positions = taken<OpenMesh::Vec3d>(soup.positions);
   file.input.texcoords = taken<OpenMesh::Vec2d>(soup.texcoords);
   file.input.colors = taken<OpenMesh::Vec3d>(soup.colors);
+  check_size(file);
   if (any_normal(normal_corners)) {
     const auto normals = taken<OpenMesh::Vec3d>(soup.normals);
     file.input.shading = shading(file.input, normals, normal_corners);
   }
   return file;
+}
+
+SurfaceFile read_surface(const std::filesystem::path& path, const io::SurfaceWeldOptions& weld) {
+  return to_surface(read_polygons(path), path, weld);
 }
 
 TexturedSurface take_surface(SurfaceFile& file, const TexturedSurfaceOptions& options) {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "adapters/io/polygon_soup.hpp"
+#include "adapters/io/simplex_soup.hpp"
+#include "adapters/io/weld_surface.hpp"
 #include "multimesh/algorithms/textured_surface.hpp"
 
 namespace multimesh::tools {
@@ -14,7 +16,9 @@ namespace multimesh::tools {
 /// What is in a file, counted.
 struct FileContents {
   std::size_t positions = 0, texcoords = 0, normals = 0, colors = 0;
-  std::size_t faces = 0, quads = 0, larger_polygons = 0;
+  std::size_t faces = 0, quads = 0, larger_polygons = 0;  ///< without those that were left out
+  std::size_t repeated_faces = 0, collapsed_faces = 0;    ///< left out
+  std::size_t polylines = 0;
   std::size_t triangles = 0;                         ///< that were made of them
   std::set<std::string> materials, groups, objects;  ///< names that faces have
 };
@@ -30,15 +34,28 @@ struct SurfaceFile {
   std::vector<io::PolygonSoup::Material> materials;  ///< that the file describes itself
   bool follow_paths = false;  ///< read materials and textures outside of the directory of the file, too
   std::vector<std::string> warnings;
+  io::SurfaceWeldReport weld;
 
   const io::PolygonSoup::Section& section_of(Index triangle) const {
     return sections[section.empty() ? 0 : section[triangle]];
   }
 };
 
-/// Reads and triangulates. Polygons with texture coordinates on some corners only lose them; triangles that
-/// name a vertex twice are left out; both with a warning. \throw InputError
-SurfaceFile read_surface(const std::filesystem::path& path);
+/// The faces of a file of any format, with the polylines if asked for; those of a format with tags in a group
+/// for each tag. \throw InputError, also for a file with tetrahedra
+io::PolygonSoup read_polygons(const std::filesystem::path& path, bool keep_lines = false);
+
+/// The triangles and edges of a file that may also hold tetrahedra. \throw InputError if there are too many
+io::PolygonSoup polygons_of(io::SimplexSoup simplices, const std::filesystem::path& path);
+
+/// Joins vertices at one place, and triangulates. Polygons with texture coordinates on some corners only lose
+/// them; triangles that name a vertex twice are left out; both with a warning. \throw InputError if no
+/// triangle is left
+SurfaceFile to_surface(io::PolygonSoup soup, const std::filesystem::path& path,
+                       const io::SurfaceWeldOptions& weld = {});
+
+/// Both. \throw InputError
+SurfaceFile read_surface(const std::filesystem::path& path, const io::SurfaceWeldOptions& weld = {});
 
 /// The tree of the file's triangles, turned round where they do not agree with their neighbours (with a
 /// warning), which are given back to the system: `input` is empty then.
@@ -46,7 +63,7 @@ TexturedSurface take_surface(SurfaceFile& file, const TexturedSurfaceOptions& op
 
 /// Writes the surface as it is now, with the file's materials, groups and objects face by face; material
 /// libraries are copied next to an output in another directory. Normals are computed anew if the file had
-/// some. \throw InputError
+/// some. Vertices are apart along seams and hard edges if they were so in the file. \throw InputError
 void write_surface(const std::filesystem::path& path, const TexturedSurface& surface, const SurfaceFile& file,
                    std::vector<std::string>& warnings);
 

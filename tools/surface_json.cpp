@@ -13,6 +13,16 @@ Json to_json(const MeshReport& r) {
   return j;
 }
 
+Json to_json(const SurfaceTopology& t) {
+  return {{"vertices", t.vertices},
+          {"edges", t.edges},
+          {"faces", t.faces},
+          {"components", t.components},
+          {"euler_characteristic", t.euler_characteristic},
+          {"boundary_loops", t.boundary_loops},
+          {"edges_with_three_or_more_faces", t.crowded_edges}};
+}
+
 namespace {
 
 Json texture_json(const MeshReport& r) {

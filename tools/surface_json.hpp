@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/algorithms/surface_topology.hpp"
 
 namespace multimesh::tools {
 
@@ -15,6 +16,7 @@ using Json = nlohmann::ordered_json;
 Json to_json(const TexturedSurface& surface);
 Json to_json(const SurfaceReport& report);
 Json to_json(const MeshReport& mesh);
+Json to_json(const SurfaceTopology& joined);
 
 /// Indented. File and material names need not be UTF-8: what is not becomes U+FFFD.
 std::string to_text(const Json& j);

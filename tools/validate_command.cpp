@@ -2,14 +2,17 @@
 #include <iostream>
 #include <memory>
 
+#include "multimesh/algorithms/surface_topology.hpp"
 #include "multimesh/algorithms/tet_topology.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/validate.hpp"
 #include "tools/command.hpp"
+#include "tools/curve_file.hpp"
 #include "tools/domain_file.hpp"
 #include "tools/domain_input.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/surface_file.hpp"
+#include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
 
@@ -17,6 +20,7 @@ namespace {
 
 struct ValidateArguments {
   std::string input;
+  io::SurfaceWeldOptions weld;
   bool json = false;
 };
 
@@ -52,9 +56,9 @@ Findings examine(const TexturedTriangles& input, std::vector<std::string> warnin
   f.add(m.cut_vertices, "copies of vertices are needed to make it manifold");
   f.add(count_flat(input), "triangles have no area");
   f.add_tree(surface.tree());
-  const MeshReport r = report(surface.tree().mesh(NodeId::root));
-  f.facts.push_back(r.boundary == 0 ? "the surface is closed"
-                                    : "the surface has " + std::to_string(r.boundary) + " boundary loops");
+  const std::size_t loops = topology_of(surface).boundary_loops;
+  f.facts.push_back(loops == 0 ? "the surface is closed"
+                               : "the surface has " + std::to_string(loops) + " boundary loops");
   return f;
 }
 
@@ -80,16 +84,39 @@ Findings examine(DomainFile& file) {
   return f;
 }
 
-Findings examine(const std::string& path) {
-  if (is_surface_format(path)) {
-    SurfaceFile file = read_surface(path);
-    return examine(file.input, std::move(file.warnings));
-  }
+/// Coincident vertices are a problem where nothing but a missing link tells them apart.
+void add_weld(const io::SurfaceWeldReport& weld, Findings& f) {
+  f.add(weld.redundant,
+        "vertices repeat another one, so that the surface comes apart there; they are joined");
+  f.add(weld.copied_faces, "faces are copies of an earlier one");
+  if (const std::size_t n = weld.coincident - weld.redundant; n > 0)
+    f.facts.push_back(std::to_string(n) + " other vertices coincide: along seams, or where parts touch");
+}
+
+Findings examine_curves(const io::PolygonSoup& soup) {
+  Findings f{soup.warnings, {}};
+  const PolylineReport r = report_polylines(soup);
+  f.add(r.collapsed, "edges go from a vertex to itself");
+  f.facts.push_back("no faces; " + std::to_string(r.curves.edges) + " edges in " +
+                    std::to_string(r.curves.curves) + " curves");
+  return f;
+}
+
+Findings examine(io::PolygonSoup soup, const std::string& path, const io::SurfaceWeldOptions& weld) {
+  if (soup.face_count() == 0) return examine_curves(soup);
+  SurfaceFile file = to_surface(std::move(soup), path, weld);
+  Findings f = examine(file.input, std::move(file.warnings));
+  add_weld(file.weld, f);
+  f.add(file.contents.repeated_faces, "faces repeat an earlier one");
+  f.add(file.contents.collapsed_faces, "faces have fewer than three distinct vertices");
+  return f;
+}
+
+Findings examine(const std::string& path, const io::SurfaceWeldOptions& weld) {
+  if (is_surface_format(path)) return examine(read_polygons(path, true), path, weld);
   DomainFile file = read_domain_file(path);
   if (file.soup.simplices[3].size() > 0) return examine(file);
-  if (file.soup.simplices[2].size() == 0) throw InputError(path + ": has neither tetrahedra nor triangles");
-  const TexturedTriangles triangles = triangles_of(file);
-  return examine(triangles, std::move(file.warnings));
+  return examine(polygons_of(file), path, weld);
 }
 
 void print(const std::string& path, const Findings& f) {
@@ -104,14 +131,16 @@ void add_validate_command(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("validate", "Whether a file's meshes are manifold, oriented and consistent.");
   auto a = std::make_shared<ValidateArguments>();
-  command->add_option("FILE", a->input, "OBJ, PLY, STL, OFF; MSH, MEDIT, VTU, VTK; also gzipped")->required();
+  command->add_option("FILE", a->input, "OBJ, PLY, STL, OFF; MSH, MEDIT, VTU, VTP, VTK; also gzipped")
+      ->required();
+  add_weld_options(*command, a->weld);
   command->add_flag("--json", a->json, "print JSON");
   command->footer(
       "Exit status 0: valid; 1: not, or it cannot be read. What is said to need copies or to be turned round "
       "is\n"
       "what the other commands do with it. Intersections of triangles are not looked for.");
   command->callback([a, &exit_code] {
-    const Findings f = examine(a->input);
+    const Findings f = examine(a->input, a->weld);
     if (a->json) {
       std::cout << to_text(Json{
           {"file", a->input}, {"valid", f.problems.empty()}, {"problems", f.problems}, {"notes", f.facts}});

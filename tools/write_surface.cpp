@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
+#include "adapters/io/gunzip.hpp"
 #include "adapters/io/mtl.hpp"
 #include "adapters/io/obj_writer.hpp"
+#include "adapters/io/polygon_writer.hpp"
 #include "multimesh/algorithms/corner_normals.hpp"
+#include "multimesh/hash.hpp"
 #include "multimesh/version.hpp"
 #include "tools/surface_file.hpp"
 
@@ -27,6 +31,52 @@ std::vector<std::size_t> by_source(const std::vector<Index>& source) {
   return order;
 }
 
+/// Each combination of position, texture coordinate and normal as a vertex of its own, as far as the file had
+/// its vertices so.
+class SplitVertices {
+ public:
+  SplitVertices(io::PolygonSoup& soup, const io::SurfaceWeldReport& weld) : soup_(soup), weld_(weld) {}
+
+  void run() {
+    io::PolygonSoup from;
+    from.positions.swap(soup_.positions);
+    from.colors.swap(soup_.colors);
+    std::unordered_map<std::array<std::uint64_t, 3>, std::int32_t, ArrayHash> number;
+    for (auto& c : soup_.corners) {
+      const std::array key{word(c.v), word(weld_.split_by_texcoord ? c.vt : -1),
+                           word(weld_.split_by_normal ? c.vn : -1)};
+      const auto [it, is_new] = number.try_emplace(key, static_cast<std::int32_t>(soup_.positions.size()));
+      if (is_new) {
+        soup_.positions.push_back(from.positions[static_cast<std::size_t>(c.v)]);
+        if (!from.colors.empty()) soup_.colors.push_back(from.colors[static_cast<std::size_t>(c.v)]);
+      }
+      c.v = it->second;
+    }
+    if (weld_.split_by_texcoord && weld_.texcoords_by_vertex)
+      renumber(soup_.texcoords, &io::PolygonSoup::Corner::vt);
+    if (weld_.split_by_normal && weld_.normals_by_vertex)
+      renumber(soup_.normals, &io::PolygonSoup::Corner::vn);
+  }
+
+ private:
+  static std::uint64_t word(std::int32_t i) { return static_cast<std::uint64_t>(i); }
+
+  /// One value per vertex, with its number, if every corner has one.
+  template <std::size_t N>
+  void renumber(std::vector<std::array<double, N>>& values, std::int32_t io::PolygonSoup::Corner::*index) {
+    if (std::ranges::any_of(soup_.corners, [&](const auto& c) { return c.*index < 0; })) return;
+    std::vector<std::array<double, N>> by_vertex(soup_.positions.size());
+    for (auto& c : soup_.corners) {
+      by_vertex[static_cast<std::size_t>(c.v)] = values[static_cast<std::size_t>(c.*index)];
+      c.*index = c.v;
+    }
+    values.swap(by_vertex);
+  }
+
+  io::PolygonSoup& soup_;
+  const io::SurfaceWeldReport& weld_;
+};
+
 }  // namespace
 
 void write_surface(const std::filesystem::path& path, const TexturedSurface& surface, const SurfaceFile& file,
@@ -48,11 +98,16 @@ void write_surface(const std::filesystem::path& path, const TexturedSurface& sur
     out.face_begin.push_back(static_cast<std::uint32_t>(out.corners.size()));
     out.face_section.push_back(file.section.empty() ? 0 : file.section[source[t]]);
   }
-  out.material_libraries =
-      io::relocate_material_libraries(file.material_libraries, file.path, path, warnings, file.follow_paths);
-  if (!file.materials.empty())
-    out.material_libraries.push_back(io::write_material_library(file.materials, file.path, path, warnings));
-  io::write_obj(path, out, {.header = {std::string("multimesh ") + version}});
+  if (file.weld.split_by_texcoord || file.weld.split_by_normal) SplitVertices(out, file.weld).run();
+  if (io::format_extension(path) == ".obj") {
+    out.material_libraries = io::relocate_material_libraries(file.material_libraries, file.path, path,
+                                                             warnings, file.follow_paths);
+    if (!file.materials.empty())
+      out.material_libraries.push_back(io::write_material_library(file.materials, file.path, path, warnings));
+    io::write_obj(path, out, {.header = {std::string("multimesh ") + version}});
+  } else {
+    for (std::string& w : io::write_polygons(path, out)) warnings.push_back(std::move(w));
+  }
 }
 
 }  // namespace multimesh::tools

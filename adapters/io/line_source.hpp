@@ -6,12 +6,14 @@
 #include <string>
 #include <string_view>
 
+#include "adapters/io/obj_words.hpp"
 #include "adapters/io/text_cursor.hpp"
 
 namespace multimesh::io {
 
-/// The lines of a text, with LF, CRLF or (when there is no LF at all) CR ends. A `\` at the end of a line
-/// that is no comment joins the next line to it, when asked for.
+/// The lines of a text, with LF, CRLF or (when there is no LF at all) CR ends. When asked for, a `\` at the
+/// end of a line of an OBJ file joins the next line to it, but for comments and where the next line is none
+/// or a statement of its own: there the `\` is the end of a name, or a slip and left out.
 class LineSource {
  public:
   enum class Continuation { joined, ignored };
@@ -58,12 +60,20 @@ class LineSource {
     return line.ends_with('\\') && !trimmed(line).starts_with('#');
   }
 
+  bool next_is_on_its_own() const {
+    if (at_ >= text_.size()) return true;
+    const std::string_view rest = text_.substr(at_);
+    return is_obj_statement(trimmed(rest.substr(0, rest.find(end_of_line_))));
+  }
+
   std::string_view join(std::string_view line) {
     joined_.clear();
     while (true) {
       const bool more = continues(line);
+      const bool ends = more && next_is_on_its_own();
+      if (ends && joined_.empty() && ends_in_name(trimmed(line))) return line;
       joined_ += more ? line.substr(0, line.rfind('\\')) : line;
-      if (!more || at_ >= text_.size()) return joined_;
+      if (!more || ends) return joined_;
       joined_ += ' ';
       line = physical();
       ++physical_lines_;

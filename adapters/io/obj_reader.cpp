@@ -36,8 +36,9 @@ class ObjParser {
     statements();
   }
 
-  PolygonSoup finish() {
+  PolygonSoup finish(const ReadOptions& options) {
     check();
+    check_soup(soup_, file_, 1, options, nonfinite_);
     return std::move(soup_);
   }
 
@@ -65,7 +66,7 @@ class ObjParser {
     if (word == "f" || word == "fo") return face(cursor);
     if (word == "vn") return normal(cursor);
     if (word == "l") return polyline(cursor);
-    grouping(word, trimmed(cursor.rest()));
+    grouping(word, without_comment(trimmed(cursor.rest())));
   }
 
   void grouping(std::string_view word, std::string_view rest) {
@@ -107,9 +108,6 @@ class ObjParser {
       if (!cursor.number(values[count]))
         fail(quoted_word(cursor.rest()) + " is not a number; write the " + std::string(what) +
              " with decimal points, separated by blanks");
-      if (!std::isfinite(values[count]) && what != "normal")
-        fail("the " + std::string(what) +
-             " is not finite (nan, inf or too large); correct it or remove it and its faces");
     }
     return count;
   }
@@ -121,6 +119,8 @@ class ObjParser {
     if (count == 5) fail("the vertex has 5 numbers; write 3 coordinates, or 3 coordinates and 3 colours");
     if (count == 4 || count == 7) ++soup_.notes.weights;
     if (count >= 6) add_color({n[3], n[4], n[5]});
+    if (!std::isfinite(n[0]) || !std::isfinite(n[1]) || !std::isfinite(n[2])) [[unlikely]]
+      nonfinite_.push_back({static_cast<std::uint32_t>(soup_.positions.size()), lines_.number()});
     soup_.positions.push_back({n[0], n[1], n[2]});
   }
 
@@ -134,7 +134,7 @@ class ObjParser {
     std::array<double, 3> n{};
     if (numbers(cursor, n, "texture coordinate") == 0)
       fail("the texture coordinate has no number; write two");
-    if (n[2] != 0) ++soup_.notes.third_texcoords;
+    if (n[2] != 0 && std::isfinite(n[2])) ++soup_.notes.third_texcoords;
     soup_.texcoords.push_back({n[0], n[1]});
   }
 
@@ -264,6 +264,7 @@ class ObjParser {
   std::string file_;
   bool keep_lines_;
   std::vector<std::size_t> polyline_line_;
+  std::vector<NonfinitePosition> nonfinite_;
   PolygonSoup::Section section_;
   std::map<PolygonSoup::Section, std::uint32_t> section_ids_;
   std::uint32_t current_section_ = 0;
@@ -287,16 +288,13 @@ PolygonSoup read_obj(const std::filesystem::path& path, const ReadOptions& optio
   TextPieces pieces(path);
   ObjParser parser(checked_beginning(pieces.next(), file), pieces.size(), path, options.keep_lines);
   for (std::string_view piece; !(piece = pieces.next()).empty();) parser.go_on(piece);
-  PolygonSoup soup = parser.finish();
-  if (soup.face_count() != 0) check_faces(soup, file, 1, options);
-  return soup;
+  return parser.finish(options);
 }
 
 PolygonSoup parse_obj(std::string_view text, const std::filesystem::path& path, const ReadOptions& options) {
   const std::string file = path.string();
-  PolygonSoup soup = ObjParser(checked_beginning(text, file), text.size(), path, options.keep_lines).finish();
-  if (soup.face_count() != 0) check_faces(soup, file, 1, options);
-  return soup;
+  ObjParser parser(checked_beginning(text, file), text.size(), path, options.keep_lines);
+  return parser.finish(options);
 }
 
 }  // namespace multimesh::io

@@ -13,9 +13,8 @@ namespace multimesh::io {
 /// s, mtllib; every other statement is left out, counted in the notes and named in one warning.
 /// Coordinates are doubles, correctly rounded.
 /// \throw InputError `FILE:LINE: what; what to do` for a missing, unreadable or foreign file, a number that
-///   cannot be read, a nan or inf in a position, colour or texture coordinate, a vertex index that is 0 or
-///   out of range, a face with fewer than three corners, a file without faces, and more defective faces than
-///   `options` allows.
+///   cannot be read, a vertex index that is 0 or out of range, a face with fewer than three corners, a file
+///   without faces, and as check_soup does.
 PolygonSoup read_obj(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The same from text in memory. `path` is what messages name, and where mtllib names are looked up.

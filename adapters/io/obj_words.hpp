@@ -17,4 +17,26 @@ constexpr bool is_free_form(std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
+/// The first word of a trimmed line.
+constexpr std::string_view first_word(std::string_view line) {
+  return line.substr(0, line.find_first_of(" \t"));
+}
+
+/// Whether a trimmed line of an OBJ file is a statement, a comment or empty, and so does not go on with what
+/// the line before has begun.
+constexpr bool is_obj_statement(std::string_view line) {
+  constexpr std::array<std::string_view, 13> words = {"v", "vt", "vn", "f",      "fo",     "l",     "p",
+                                                      "o", "g",  "s",  "usemtl", "mtllib", "newmtl"};
+  if (line.empty() || line.starts_with('#')) return true;
+  // A name may be equal to a keyword, but does not have what follows one.
+  const std::string_view word = first_word(line);
+  return word.size() < line.size() && (std::ranges::find(words, word) != words.end() || is_free_form(word));
+}
+
+/// Whether a trimmed line of an OBJ file is a statement that ends in a name.
+constexpr bool ends_in_name(std::string_view line) {
+  constexpr std::array<std::string_view, 4> words = {"usemtl", "mtllib", "o", "g"};
+  return std::ranges::find(words, first_word(line)) != words.end();
+}
+
 }  // namespace multimesh::io

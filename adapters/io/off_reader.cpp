@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "adapters/io/content_check.hpp"
+#include "adapters/io/note_warnings.hpp"
 #include "adapters/io/soup_check.hpp"
 #include "adapters/io/word_source.hpp"
 
@@ -13,7 +14,8 @@ namespace {
 
 class OffParser {
  public:
-  OffParser(std::string_view bytes, const std::string& file) : words_(bytes, file, '#'), file_(file) {}
+  OffParser(std::string_view bytes, const std::string& file, std::vector<NonfinitePosition>& nonfinite)
+      : words_(bytes, file, '#'), file_(file), nonfinite_(nonfinite) {}
 
   PolygonSoup parse() {
     const std::size_t vertex_count = header();
@@ -25,6 +27,7 @@ class OffParser {
     for (std::size_t i = 0; i < vertex_count; ++i) vertex();
     for (std::size_t i = 0; i < face_count; ++i) face();
     soup_.sections.emplace_back();
+    add_note_warnings(soup_, file_);
     if (face_colors_ != 0) warn("the colours of " + std::to_string(face_colors_) + " faces are left out");
     if (!words_.peek().empty()) warn("what follows the last face is left out");
     return std::move(soup_);
@@ -70,8 +73,11 @@ class OffParser {
   }
 
   void vertex() {
-    soup_.positions.push_back(numbers<3>("a coordinate"));
-    if (has_normals_) soup_.normals.push_back(numbers<3>("a normal"));
+    const auto position = numbers<3>("a coordinate");
+    if (!is_finite(position))
+      nonfinite_.push_back({static_cast<std::uint32_t>(soup_.positions.size()), words_.line()});
+    soup_.positions.push_back(position);
+    if (has_normals_) soup_.normals.push_back(normal());
     if (has_colors_) soup_.colors.push_back(color());
     if (has_texcoords_) soup_.texcoords.push_back(numbers<2>("a texture coordinate"));
   }
@@ -79,14 +85,19 @@ class OffParser {
   template <std::size_t N>
   std::array<double, N> numbers(std::string_view what) {
     std::array<double, N> values{};
-    for (double& x : values) {
-      x = words_.number(what);
-      if (!std::isfinite(x))
-        words_.fail(std::string(what) +
-                    " is not finite (nan, inf or too large); correct it or remove the vertex "
-                    "and its faces");
-    }
+    for (double& x : values) x = words_.number(what);
     return values;
+  }
+
+  static bool is_finite(const std::array<double, 3>& n) {
+    return std::isfinite(n[0]) && std::isfinite(n[1]) && std::isfinite(n[2]);
+  }
+
+  std::array<double, 3> normal() {
+    const auto n = numbers<3>("a normal");
+    if (is_finite(n)) return n;
+    ++soup_.notes.nonfinite_normals;
+    return {};
   }
 
   /// Three numbers or four: in [0, 1] if they have decimal points, otherwise in 0..255.
@@ -96,7 +107,6 @@ class OffParser {
     for (double& x : rgb) {
       has_points = has_points || words_.peek().find('.') != std::string_view::npos;
       x = words_.number("a colour");
-      if (!std::isfinite(x)) words_.fail("a colour is not finite (nan, inf); correct it");
     }
     const std::size_t behind = has_texcoords_ ? 2 : 0;
     if (words_left_on_line() > behind) {
@@ -141,6 +151,7 @@ class OffParser {
 
   WordSource words_;
   std::string file_;
+  std::vector<NonfinitePosition>& nonfinite_;
   PolygonSoup soup_;
   bool has_texcoords_ = false, has_colors_ = false, has_normals_ = false;
   std::size_t face_colors_ = 0;
@@ -151,8 +162,9 @@ class OffParser {
 PolygonSoup parse_off(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
   const std::string file = path.string();
   refuse_foreign(bytes, file);
-  PolygonSoup soup = OffParser(bytes, file).parse();
-  check_faces(soup, file, 0, options);
+  std::vector<NonfinitePosition> nonfinite;
+  PolygonSoup soup = OffParser(bytes, file, nonfinite).parse();
+  check_soup(soup, file, 0, options, nonfinite);
   return soup;
 }
 

@@ -13,7 +13,7 @@ namespace multimesh::io {
 /// of vertices (NOFF, COFF, STOFF, …), comments and polygons. Colours of faces are left out. `path` is what
 /// messages name.
 /// \throw InputError `FILE:LINE: what; what to do`, for binary and four-dimensional variants, and as
-/// check_faces
+/// check_soup
 ///   does.
 PolygonSoup parse_off(std::string_view bytes, const std::filesystem::path& path,
                       const ReadOptions& options = {});

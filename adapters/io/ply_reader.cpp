@@ -78,10 +78,11 @@ bool is_texture_number(const PlyProperty& p) {
 
 class PlyParser {
  public:
-  PlyParser(std::string_view bytes, const std::string& file)
+  PlyParser(std::string_view bytes, const std::string& file, std::vector<NonfinitePosition>& nonfinite)
       : file_(file),
         header_(read_ply_header(bytes, file)),
         body_(bytes, header_, file),
+        nonfinite_(nonfinite),
         pages_(header_.textures) {}
 
   PolygonSoup parse() {
@@ -90,6 +91,8 @@ class PlyParser {
         vertices(element);
       else if (element.name == "face")
         faces(element);
+      else if (element.name == "tristrips")
+        strips(element);
       else
         skip(element);
     }
@@ -124,9 +127,9 @@ class PlyParser {
         continue;
       }
       n[role] = body_.value(p.type) * (role >= red && role <= blue ? color_unit(p.type) : 1);
-      if (!std::isfinite(n[role]))
-        body_.fail("the vertex is not finite (nan, inf or too large); correct it or remove it and its faces");
     }
+    if (!std::isfinite(n[x]) || !std::isfinite(n[y]) || !std::isfinite(n[z]))
+      nonfinite_.push_back({static_cast<std::uint32_t>(soup_.positions.size()), body_.line()});
     soup_.positions.push_back({n[x], n[y], n[z]});
     if (has_color_) soup_.colors.push_back({n[red], n[green], n[blue]});
     if (vertex_texcoords_) soup_.texcoords.push_back({n[s], n[t]});
@@ -138,11 +141,10 @@ class PlyParser {
     for (const auto& p : element.properties)
       if (!is_index_list(p) && !is_texcoord_list(p) && !is_texture_number(p)) left_out("face " + p.name);
     const bool numbered = std::ranges::any_of(element.properties, is_texture_number);
-    has_pages_ = numbered || !header_.textures.empty();
     if (!numbered && header_.textures.size() > 1)
       warn("the faces have no texnumber; the first of " + std::to_string(header_.textures.size()) +
            " texture images is taken for all");
-    page_ = has_pages_ ? 0 : -1;
+    page_ = numbered || !header_.textures.empty() ? 0 : -1;
     for (std::size_t row = 0; row < element.count; ++row) {
       body_.begin_row(element, row);
       for (const auto& p : element.properties) {
@@ -157,6 +159,35 @@ class PlyParser {
       }
       body_.end_row();
       face();
+    }
+  }
+
+  /// Lists of vertices of which three after each other are a triangle, every second one the other way round;
+  /// -1 ends a strip.
+  void strips(const PlyElement& element) {
+    for (const auto& p : element.properties)
+      if (!is_index_list(p)) left_out("strip " + p.name);
+    std::vector<double> strip;
+    for (std::size_t row = 0; row < element.count; ++row) {
+      body_.begin_row(element, row);
+      for (const auto& p : element.properties) is_index_list(p) ? list(p, strip) : skip(p);
+      body_.end_row();
+      add_strips(strip);
+    }
+  }
+
+  void add_strips(const std::vector<double>& vertices) {
+    std::size_t size = 0;  // of the strip up to now
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      size = vertices[i] == -1 ? 0 : size + 1;
+      if (size < 3) continue;
+      indices_.assign(vertices.begin() + static_cast<std::ptrdiff_t>(i) - 2,
+                      vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+      if (size % 2 == 0) std::swap(indices_[0], indices_[1]);
+      // A vertex that comes twice turns the strip round a corner, and is no face.
+      const bool turns =
+          indices_[0] == indices_[1] || indices_[1] == indices_[2] || indices_[2] == indices_[0];
+      if (!turns) face();
     }
   }
 
@@ -202,8 +233,6 @@ class PlyParser {
   }
 
   std::int32_t wedge_texcoord(std::int32_t v, const std::array<double, 2>& uv) {
-    if (!std::isfinite(uv[0]) || !std::isfinite(uv[1]))
-      body_.fail("a texture coordinate of the face is not finite (nan, inf); correct the face");
     // Adding 0 makes -0 and 0 one.
     const Wedge key{v, std::bit_cast<std::uint64_t>(uv[0] + 0.0), std::bit_cast<std::uint64_t>(uv[1] + 0.0)};
     const auto [at, is_new] = wedges_.try_emplace(key, static_cast<std::int32_t>(soup_.texcoords.size()));
@@ -212,8 +241,6 @@ class PlyParser {
   }
 
   void skip(const PlyElement& element) {
-    if (element.name == "tristrips")
-      fail_at(file_, element.line, "triangle strips are not supported; export the mesh with faces");
     left_out(element.name);
     for (std::size_t row = 0; row < element.count && !element.properties.empty(); ++row) {
       body_.begin_row(element, row);
@@ -235,7 +262,6 @@ class PlyParser {
   void finish() {
     if (soup_.face_count() == 0) fail_file(file_, "the file has no face; give a surface");
     if (!left_out_.empty()) warn("left out: " + left_out_);
-    if (has_pages_) part_texcoords_by_section(soup_);
     if (const std::size_t rest = body_.unread(); rest != 0)
       warn(std::to_string(rest) + " bytes after the last element are left out");
   }
@@ -246,9 +272,9 @@ class PlyParser {
   std::string file_;
   PlyHeader header_;
   PlyBody body_;
+  std::vector<NonfinitePosition>& nonfinite_;
   TexturePages pages_;
   std::int64_t page_ = -1;
-  bool has_pages_ = false;
   bool has_color_ = false;
   bool vertex_texcoords_ = false;
   std::vector<double> indices_, texcoords_;
@@ -265,8 +291,9 @@ PolygonSoup read_ply(const std::filesystem::path& path, const ReadOptions& optio
 PolygonSoup parse_ply(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
   const std::string file = path.string();
   check_ply_content(bytes, file);
-  PolygonSoup soup = PlyParser(bytes, file).parse();
-  check_faces(soup, file, 0, options);
+  std::vector<NonfinitePosition> nonfinite;
+  PolygonSoup soup = PlyParser(bytes, file, nonfinite).parse();
+  check_soup(soup, file, 0, options, nonfinite);
   return soup;
 }
 

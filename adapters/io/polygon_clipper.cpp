@@ -7,14 +7,15 @@
 namespace multimesh::io {
 namespace {
 
-/// Twice the signed area.
-double area2(const Point2& a, const Point2& b, const Point2& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
+constexpr std::uint32_t nothing = PlaneTree::nothing;
 
 double distance2(const Point2& a, const Point2& b) {
   return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
 }
+
+constexpr auto is_worse = [](const auto& x, const auto& y) {
+  return std::tie(x.rank, x.quality, y.corner) < std::tie(y.rank, y.quality, x.corner);
+};
 
 }  // namespace
 
@@ -24,67 +25,60 @@ std::span<const PolygonClipper::Triangle> PolygonClipper::clip(std::span<const P
   names_ = names;
   triangles_.clear();
   link(static_cast<std::uint32_t>(points.size()));
-  while (left_ > 3) cut(best());
-  triangles_.push_back({nodes_[first_].before, first_, nodes_[first_].after});
+  while (triangles_.size() + 3 < points.size()) cut(best());
+  const std::uint32_t last = best();
+  triangles_.push_back({nodes_[last].before, last, nodes_[last].after});
   return triangles_;
 }
 
 void PolygonClipper::link(std::uint32_t count) {
   nodes_.resize(count);
-  first_ = 0;
-  left_ = count;
+  queue_.clear();
+  blocked_.clear();
+  tree_.build(points_);
   for (std::uint32_t i = 0; i < count; ++i)
-    nodes_[i] = {(i + count - 1) % count, (i + 1) % count, Rank::blocked, 0};
+    nodes_[i] = {(i + count - 1) % count, (i + 1) % count, 0, nothing};
   for (std::uint32_t i = 0; i < count; ++i) judge(i);
 }
 
 void PolygonClipper::judge(std::uint32_t i) {
   Node& node = nodes_[i];
+  ++node.judged;
   const Point2 &a = points_[node.before], &b = points_[i], &c = points_[node.after];
   const double area = area2(a, b, c);
   const double longest = std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
-  node.quality = longest > 0 ? area / longest : 0;
-  node.rank = rank_of(i, area);
+  queue_.push_back({rank_of(i, area), longest > 0 ? area / longest : 0, i, node.judged});
+  std::ranges::push_heap(queue_, is_worse);
 }
 
-PolygonClipper::Rank PolygonClipper::rank_of(std::uint32_t i, double area) const {
+PolygonClipper::Rank PolygonClipper::rank_of(std::uint32_t i, double area) {
   const Node& node = nodes_[i];
   const std::int32_t a = names_[node.before], b = names_[i], c = names_[node.after];
   if (a == b || b == c || c == a) return Rank::pinched;
   if (area < 0) return Rank::inverted;
-  if (is_blocked(i)) return Rank::blocked;
-  return area > 0 ? Rank::ear : Rank::flat;
+  if (area == 0) return Rank::flat;
+  return is_blocked(i) ? Rank::blocked : Rank::ear;
 }
 
 /// Another corner lies in the triangle, or on the diagonal that would cut it off. Corners at the places of
 /// its own three corners do not count: in a polygon that only touches itself, what leaves them leads
-/// outwards.
-bool PolygonClipper::is_blocked(std::uint32_t i) const {
-  const std::uint32_t before = nodes_[i].before, after = nodes_[i].after;
-  const Point2 &a = points_[before], &b = points_[i], &c = points_[after];
-  for (std::uint32_t j = nodes_[after].after; j != before; j = nodes_[j].after) {
-    const Point2& p = points_[j];
-    if (p == a || p == b || p == c) continue;
-    if (area2(a, b, p) > 0 && area2(b, c, p) > 0 && area2(c, a, p) >= 0) return true;
-  }
-  return false;
+/// outwards. The corner that was found is told: when it is cut off, this one is judged again.
+bool PolygonClipper::is_blocked(std::uint32_t i) {
+  const std::uint32_t by =
+      tree_.find_in_triangle(points_[nodes_[i].before], points_[i], points_[nodes_[i].after]);
+  if (by == nothing) return false;
+  blocked_.push_back({i, nodes_[i].judged, nodes_[by].blocked});
+  nodes_[by].blocked = static_cast<std::uint32_t>(blocked_.size() - 1);
+  return true;
 }
 
-/// The best ear; corners that were blocked are judged again only when no ear is left.
 std::uint32_t PolygonClipper::best() {
-  const auto worse = [&](std::uint32_t i, std::uint32_t j) {
-    return std::tie(nodes_[i].rank, nodes_[i].quality) < std::tie(nodes_[j].rank, nodes_[j].quality);
-  };
-  const auto find = [&](bool again) {
-    std::uint32_t found = first_, i = first_;
-    for (std::uint32_t n = 0; n < left_; ++n, i = nodes_[i].after) {
-      if (again) judge(i);
-      if (worse(found, i)) found = i;
-    }
-    return found;
-  };
-  const std::uint32_t found = find(false);
-  return nodes_[found].rank == Rank::ear ? found : find(true);
+  while (true) {
+    std::ranges::pop_heap(queue_, is_worse);
+    const Candidate candidate = queue_.back();
+    queue_.pop_back();
+    if (candidate.judged == nodes_[candidate.corner].judged) return candidate.corner;
+  }
 }
 
 void PolygonClipper::cut(std::uint32_t i) {
@@ -92,10 +86,15 @@ void PolygonClipper::cut(std::uint32_t i) {
   triangles_.push_back({before, i, after});
   nodes_[before].after = after;
   nodes_[after].before = before;
-  first_ = before;
-  --left_;
+  nodes_[i].judged = nothing;  // what waits for it in the queue is void
+  tree_.remove(i);
   judge(before);
   judge(after);
+  for (std::uint32_t b = nodes_[i].blocked; b != nothing;) {
+    const Blocked blocked = blocked_[b];
+    if (blocked.judged == nodes_[blocked.corner].judged) judge(blocked.corner);
+    b = blocked.next;
+  }
 }
 
 }  // namespace multimesh::io

@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "adapters/io/plane_tree.hpp"
+
 namespace multimesh::io {
 
-using Point2 = std::array<double, 2>;
-
 /// Ear clipping of one polygon in the plane, counter-clockwise. Keeps its memory from one polygon to the
-/// next.
+/// next. Cost: O(n log n) in practice.
 class PolygonClipper {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -26,23 +26,34 @@ class PolygonClipper {
   enum class Rank : std::uint8_t { pinched, inverted, blocked, flat, ear };
   struct Node {
     std::uint32_t before, after;
+    std::uint32_t judged;   ///< how often; what was found earlier is void
+    std::uint32_t blocked;  ///< first entry of blocked_ for corners that this one blocks
+  };
+  /// The triangle (before, self, after) at a corner.
+  struct Candidate {
     Rank rank;
-    double quality;  ///< of the triangle (before, self, after): area over longest edge squared
+    double quality;  ///< its area over its longest edge squared
+    std::uint32_t corner, judged;
+  };
+  struct Blocked {
+    std::uint32_t corner, judged;
+    std::uint32_t next;
   };
 
   void link(std::uint32_t count);
   void judge(std::uint32_t i);
-  Rank rank_of(std::uint32_t i, double area) const;
-  bool is_blocked(std::uint32_t i) const;
+  Rank rank_of(std::uint32_t i, double area);
+  bool is_blocked(std::uint32_t i);
   std::uint32_t best();
   void cut(std::uint32_t i);
 
   std::span<const Point2> points_;
   std::span<const std::int32_t> names_;
   std::vector<Node> nodes_;
+  std::vector<Candidate> queue_;  ///< a heap
+  std::vector<Blocked> blocked_;
+  PlaneTree tree_;  ///< of the corners that are not cut off
   std::vector<Triangle> triangles_;
-  std::uint32_t first_ = 0;  ///< some corner that is not cut off yet
-  std::uint32_t left_ = 0;
 };
 
 }  // namespace multimesh::io

@@ -24,9 +24,15 @@ struct SoupNotes {
   std::size_t repeated_corners = 0;   ///< corners equal to the corner before them, left out
   std::size_t collapsed_faces = 0;    ///< faces with fewer than three distinct vertices, left out
   std::size_t flat_faces = 0;         ///< faces without area, kept
-  std::size_t repeated_faces = 0;     ///< faces with the vertices of an earlier one in any order, kept
-  std::size_t nonfinite_normals = 0;  ///< normals with a nan or inf, set to 0 0 0
-  std::size_t merged_positions = 0;   ///< corners of STL facets that were joined with an equal one
+  /// Faces with the vertices of an earlier one in any order, with its texture and material, left out unless
+  /// ReadOptions::keep_repeated.
+  std::size_t repeated_faces = 0;
+  std::size_t overlaid_faces = 0;       ///< faces with the vertices of an earlier one that are kept
+  std::size_t nonfinite_positions = 0;  ///< with a nan or inf, named by no face or line; ignored
+  std::size_t nonfinite_texcoords = 0;  ///< corners that named one with a nan or inf; -1 now
+  std::size_t nonfinite_colors = 0;     ///< with a nan or inf; white now
+  std::size_t nonfinite_normals = 0;    ///< normals with a nan or inf, set to 0 0 0
+  std::size_t merged_positions = 0;     ///< corners of STL facets that were joined with an equal one
   friend bool operator==(const SoupNotes&, const SoupNotes&) = default;
 };
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "adapters/io/group_tags.hpp"
 #include "adapters/io/simplex_builder.hpp"
 #include "adapters/io/triangulate.hpp"
 
@@ -90,6 +91,33 @@ PolygonSoup to_polygons(const SimplexSoup& soup) {
   polygons.face_line.assign(polygons.face_count(), 0);
   polygons.sections.emplace_back();
   polygons.face_section.assign(polygons.face_count(), 0);
+  return polygons;
+}
+
+namespace {
+
+/// As an OBJ file names several groups: with blanks between them.
+std::string group_names(const SimplexSoup& soup, std::int32_t tag) {
+  std::string names;
+  for (const std::int32_t group : groups_of(soup, 2, tag)) {
+    const auto is_it = [&](const auto& g) { return g.dimension == 2 && g.tag == group; };
+    const auto named = std::ranges::find_if(soup.groups, is_it);
+    names += (names.empty() ? "" : " ") + (named != soup.groups.end() ? named->name : std::to_string(group));
+  }
+  return names;
+}
+
+}  // namespace
+
+PolygonSoup to_grouped_polygons(const SimplexSoup& soup) {
+  PolygonSoup polygons = to_polygons(soup);
+  std::map<std::int32_t, std::uint32_t> section{{0, 0}};
+  for (std::size_t f = 0; f < polygons.face_count(); ++f) {
+    const std::int32_t tag = soup.simplices[2].tags[f];
+    const auto [at, is_new] = section.try_emplace(tag, static_cast<std::uint32_t>(polygons.sections.size()));
+    if (is_new) polygons.sections.emplace_back().group = group_names(soup, tag);
+    polygons.face_section[f] = at->second;
+  }
   return polygons;
 }
 

@@ -16,8 +16,12 @@ namespace multimesh::io {
 SimplexSoup to_simplices(PolygonSoup polygons, const std::filesystem::path& path,
                          const ReadOptions& options = {});
 
-/// The triangles and edges of a soup as faces and polylines of two vertices.
+/// The triangles and edges of a soup as faces and polylines of two vertices, without their tags.
 /// \pre indices fit into 31 bits
 PolygonSoup to_polygons(const SimplexSoup& soup);
+
+/// The same with a section for each tag of triangles: its group are the names of its groups, or
+/// their tags.
+PolygonSoup to_grouped_polygons(const SimplexSoup& soup);
 
 }  // namespace multimesh::io

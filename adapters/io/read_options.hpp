@@ -3,15 +3,15 @@
 
 namespace multimesh::io {
 
-/// How much of a file may be defective before it is refused. A few such faces are normal in large models
-/// (they are left out or kept, and counted in a warning); a file made of them is a broken file. 0 refuses
-/// the first one, 1 accepts all.
+/// What a reader keeps of a file.
 struct ReadOptions {
-  /// Largest share of faces with fewer than three distinct vertices. They cannot be kept in any mesh.
-  double max_collapsed_share = 0.01;
-  /// Largest share of faces that have no area or repeat the vertices of an earlier face. They are kept; but
-  /// where most faces are repeated every edge has three or more faces, and no surface is left to work on.
-  double max_defective_share = 1.0 / 3.0;
+  /// Largest share of simplices that name a point twice (which are left out) with which a file of simplices
+  /// is read. 0 refuses the first one.
+  double max_collapsed_share = 1;
+  /// Keep faces with the vertices of an earlier one, in any order: where two solids meet, each may list the
+  /// face between them. Otherwise they are left out, if they have
+  /// the texture and material of that one.
+  bool keep_repeated = false;
   /// Keep the `l` statements of OBJ files as polylines of the soup; a file with lines and no face is then
   /// read, too. Otherwise they are counted and left out.
   bool keep_lines = false;

@@ -27,7 +27,16 @@ std::size_t least_vertex(std::span<const PolygonSoup::Corner> face) {
   return static_cast<std::size_t>(std::ranges::min(face, {}, &PolygonSoup::Corner::v).v);
 }
 
+std::vector<std::int32_t> sorted_vertices(std::span<const PolygonSoup::Corner> face) {
+  std::vector<std::int32_t> vertices;
+  for (const auto& corner : face) vertices.push_back(corner.v);
+  std::ranges::sort(vertices);
+  return vertices;
+}
+
 bool same_vertices(std::span<const PolygonSoup::Corner> a, std::span<const PolygonSoup::Corner> b) {
+  constexpr std::size_t few = 8;
+  if (a.size() > few) return a.size() == b.size() && sorted_vertices(a) == sorted_vertices(b);
   return std::ranges::is_permutation(a, b, {}, &PolygonSoup::Corner::v, &PolygonSoup::Corner::v);
 }
 
@@ -53,9 +62,9 @@ Buckets sort_by_least_vertex(const PolygonSoup& soup) {
 
 }  // namespace
 
-std::vector<std::uint32_t> repeated_faces(const PolygonSoup& soup) {
+std::vector<RepeatedFace> repeated_faces(const PolygonSoup& soup) {
   Buckets buckets = sort_by_least_vertex(soup);
-  std::vector<std::uint32_t> repeated;
+  std::vector<RepeatedFace> repeated;
   for (std::size_t v = 0; v + 1 < buckets.begin.size(); ++v) {
     const std::span bucket =
         std::span(buckets.keys).subspan(buckets.begin[v], buckets.begin[v + 1] - buckets.begin[v]);
@@ -65,7 +74,7 @@ std::vector<std::uint32_t> repeated_faces(const PolygonSoup& soup) {
     for (std::size_t i = 1; i < bucket.size(); ++i) {
       if (bucket[i].hash == bucket[first].hash &&
           same_vertices(soup.face(bucket[i].face), soup.face(bucket[first].face)))
-        repeated.push_back(bucket[i].face);
+        repeated.push_back({bucket[i].face, bucket[first].face});
       else
         first = i;
     }

@@ -8,9 +8,15 @@
 
 namespace multimesh::io {
 
+struct RepeatedFace {
+  std::uint32_t face;
+  std::uint32_t earlier;  ///< the first one with its vertices
+  friend auto operator<=>(const RepeatedFace&, const RepeatedFace&) = default;
+};
+
 /// The faces whose vertices, in any order, are those of an earlier face; ascending. Faces without corners are
 /// passed over. Cost: O(\#F log) at worst, linear in practice.
 /// \pre every vertex index is in range.
-std::vector<std::uint32_t> repeated_faces(const PolygonSoup& soup);
+std::vector<RepeatedFace> repeated_faces(const PolygonSoup& soup);
 
 }  // namespace multimesh::io

@@ -59,10 +59,11 @@ bool is_surface(std::string_view extension) {
   return extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off";
 }
 
-ReadOptions with_lines(ReadOptions options) {
+/// Of a file of polygons all that a set of simplices has room for.
+ReadOptions all_of(ReadOptions options) {
   options.keep_lines = true;
   options.max_collapsed_share = 1;
-  options.max_defective_share = 1;  // solids that meet may both list what is between them
+  options.keep_repeated = true;  // solids that meet may both list what is between them
   return options;
 }
 
@@ -88,14 +89,14 @@ ReadOptions with_lines(ReadOptions options) {
 SimplexSoup read_simplices(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string extension = format_extension(path);
   if (extension == ".node" || extension == ".ele") return read_tetgen_pair(path, options);
-  if (is_surface(extension)) return to_simplices(read_mesh(path, with_lines(options)), path, options);
+  if (is_surface(extension)) return to_simplices(read_mesh(path, all_of(options)), path, options);
   return parse_simplices(UnpackedBytes(path).view(), path, options);
 }
 
 SimplexSoup parse_simplices(std::string_view bytes, const std::filesystem::path& path,
                             const ReadOptions& options) {
   const std::string extension = format_extension(path);
-  if (is_surface(extension)) return to_simplices(parse_mesh(bytes, path, with_lines(options)), path, options);
+  if (is_surface(extension)) return to_simplices(parse_mesh(bytes, path, all_of(options)), path, options);
   const Parser parse = parser_of(bytes);
   if (parse == nullptr) fail_unknown(bytes, path.string(), extension);
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);

@@ -51,7 +51,6 @@ class FacetCollector {
 
   PolygonSoup finish(const std::string& file) {
     if (soup_.face_count() == 0) fail_file(file, "the file has no facet; give a surface");
-    soup_.sections.emplace_back();
     join_equal_corners();
     return std::move(soup_);
   }
@@ -130,7 +129,8 @@ class TextParser {
   PolygonSoup parse() {
     std::string_view word;
     while (words_.next(word)) statement(lower(word));
-    if (inside_) words_.fail_truncated("the end of the solid, endsolid");
+    if (inside_facet_) words_.fail_truncated("the end of the facet, endfacet");
+    if (inside_) facets_.warn(words_.file() + ": the file ends without endsolid; it may not be whole");
     return facets_.finish(words_.file());
   }
 
@@ -147,6 +147,8 @@ class TextParser {
     if (word == "endloop") end_loop();
     if (word == "solid") inside_ = true;
     if (word == "endsolid") inside_ = false;
+    if (word == "facet") inside_facet_ = true;
+    if (word == "endfacet") inside_facet_ = false;
     if (word != "solid" && word != "endsolid" && word != "facet" && word != "outer" && word != "endloop" &&
         word != "endfacet" && word != "end" && word != "color")
       words_.fail(quoted_word(word) + " is no statement of STL; correct the file or export it again");
@@ -174,7 +176,8 @@ class TextParser {
   WordSource words_;
   FacetCollector facets_;
   int corners_ = 0;
-  bool inside_ = false;
+  bool inside_ = false;  // a solid
+  bool inside_facet_ = false;
 };
 
 bool begins_as_text(std::string_view bytes) {
@@ -198,7 +201,7 @@ PolygonSoup parse_stl(std::string_view bytes, const std::filesystem::path& path,
               "this is not an STL file: it neither begins with 'solid' nor has the size of a binary one; "
               "check the file or its extension");
   PolygonSoup soup = is_text ? TextParser(bytes, file).parse() : parse_binary(bytes, file);
-  check_faces(soup, file, 0, options);
+  check_soup(soup, file, 0, options);
   return soup;
 }
 

@@ -14,7 +14,7 @@ namespace multimesh::io {
 /// and attributes are left out. `path` is what messages name. Cost: O(\#F) expected.
 /// \throw InputError naming the line (text) or the face (binary), for a truncated file, coordinates that are
 /// not
-///   finite, and as check_faces does.
+///   finite, and as check_soup does.
 PolygonSoup parse_stl(std::string_view bytes, const std::filesystem::path& path,
                       const ReadOptions& options = {});
 

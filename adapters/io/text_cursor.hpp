@@ -35,6 +35,18 @@ constexpr std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// A trimmed name without the comment that follows it: from a `#` after a blank to the end. Names that have
+/// such a `#` of their own are those of exporters that number them, as in `Material #25`.
+constexpr std::string_view without_comment(std::string_view name) {
+  for (std::size_t i = name.find('#'); i != std::string_view::npos; i = name.find('#', i + 1)) {
+    const char next = i + 1 < name.size() ? name[i + 1] : ' ';
+    const bool is_number = next >= '0' && next <= '9';
+    const bool is_comment = i == 0 ? is_blank(next) : is_blank(name[i - 1]) && !is_number;
+    if (is_comment) return trimmed(name.substr(0, i));
+  }
+  return name;
+}
+
 /// Reads words and numbers from one line of text.
 class TextCursor {
  public:
@@ -71,7 +83,9 @@ class TextCursor {
     const char* begin = at_;
     if (begin != end_ && *begin == '+' && end_ - begin > 1 && begin[1] != '-') ++begin;
     auto [stop, error] = std::from_chars(begin, end_, value);
-    if (error == std::errc::invalid_argument || (stop != end_ && !is_blank(*stop))) return false;
+    if (error == std::errc::invalid_argument) return false;
+    if (stop != end_ && !is_blank(*stop)) [[unlikely]]
+      return nonfinite(begin, stop, value);
     if (error == std::errc::result_out_of_range) value = beyond_double(begin, stop);
     at_ = stop;
     return true;
@@ -102,6 +116,22 @@ class TextCursor {
   std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
  private:
+  /// What some runtime libraries print: 1.#INF, -1.#IND00, 1.#QNAN.
+  bool nonfinite(const char* begin, const char* stop, double& value) {
+    if (*stop != '#') return false;
+    while (stop != end_ && !is_blank(*stop)) ++stop;
+    const std::string_view word(begin, static_cast<std::size_t>(stop - begin));
+    const double inf = std::numeric_limits<double>::infinity();
+    if (word.find("#INF") != std::string_view::npos)
+      value = *begin == '-' ? -inf : inf;
+    else if (word.find("#IND") != std::string_view::npos || word.find("NAN") != std::string_view::npos)
+      value = std::numeric_limits<double>::quiet_NaN();
+    else
+      return false;
+    at_ = stop;
+    return true;
+  }
+
   static double beyond_double(const char* begin, const char* end) {
     long double value = std::numeric_limits<long double>::infinity();
     std::from_chars(begin, end, value);

@@ -2,8 +2,6 @@
 #include "adapters/io/texture_pages.hpp"
 
 #include <algorithm>
-#include <array>
-#include <unordered_map>
 
 #include "adapters/io/find_file.hpp"
 
@@ -40,26 +38,6 @@ std::string TexturePages::unique_name(const std::string& image) const {
   if (!taken(name)) return name;
   for (int n = 2;; ++n)
     if (std::string next = name + "_" + std::to_string(n); !taken(next)) return next;
-}
-
-void part_texcoords_by_section(PolygonSoup& soup) {
-  std::vector<std::int64_t> first(soup.texcoords.size(), -1);  // the section that keeps the number
-  std::unordered_map<std::uint64_t, std::int32_t> others;
-  for (std::size_t f = 0; f < soup.face_count(); ++f) {
-    const std::uint32_t section = soup.face_section[f];
-    for (std::uint32_t c = soup.face_begin[f]; c < soup.face_begin[f + 1]; ++c) {
-      std::int32_t& vt = soup.corners[c].vt;
-      if (vt < 0) continue;
-      const auto old = static_cast<std::size_t>(vt);
-      if (first[old] < 0) first[old] = section;
-      if (first[old] == section) continue;
-      const auto [at, is_new] =
-          others.try_emplace(std::uint64_t{section} << 32U | static_cast<std::uint32_t>(vt),
-                             static_cast<std::int32_t>(soup.texcoords.size()));
-      if (is_new) soup.texcoords.push_back(std::array(soup.texcoords[old]));
-      vt = at->second;
-    }
-  }
 }
 
 }  // namespace multimesh::io

@@ -26,7 +26,4 @@ class TexturePages {
   std::vector<std::string> names_;
 };
 
-/// Gives each section texture coordinates of its own: equal numbers are other places on another image.
-void part_texcoords_by_section(PolygonSoup& soup);
-
 }  // namespace multimesh::io

@@ -20,7 +20,7 @@ struct TriangleSoup {
 /// the shorter one if both do; larger ones by clipping ears in the plane of their vector area (Newell),
 /// concave ones and ones with holes joined by a doubled edge included. A polygon that crosses itself or has
 /// no area is cut into triangles of which some are inverted or flat. A triangle can name a vertex twice only
-/// if its polygon does. Cost: O(1) for triangles and quads, O(n²) in practice for n corners.
+/// if its polygon does. Cost: O(1) for triangles and quads, O(n log n) in practice for n corners.
 ///
 ///     d-----c        d-----c
 ///     |     |        |   / |

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,6 +18,17 @@ struct VtkCells {
   std::vector<std::int64_t> types;         ///< \#C
   std::vector<std::int32_t> tags;          ///< \#C, or empty
 };
+
+/// The kinds of cells of a data set PolyData, in the order of its cell data, by their names in the legacy and
+/// in the XML format, with the cell type of an unstructured grid that is like them.
+struct VtkPolyKind {
+  std::string_view section, element;
+  std::int64_t type;
+};
+constexpr std::array<VtkPolyKind, 4> vtk_poly_kinds = {{{"vertices", "Verts", 2},
+                                                        {"lines", "Lines", 4},
+                                                        {"polygons", "Polys", 7},
+                                                        {"triangle_strips", "Strips", 6}}};
 
 /// Hands the cells to the builder: points are counted from `first_point`, cells from `first_cell` in
 /// messages. Poly-lines and poly-vertices become edges and vertices, strips triangles. \throw InputError for

@@ -70,13 +70,16 @@ class VtkParser {
     binary_ = encoding == "binary";
     const std::string keyword = lower(words_.word("DATASET"));
     const std::string type = lower(words_.word("the type of the dataset"));
-    if (keyword != "dataset" || type != "unstructured_grid")
-      words_.fail("only DATASET UNSTRUCTURED_GRID is read, not " + quoted_word(type) + "; convert it");
+    if (keyword != "dataset" || (type != "unstructured_grid" && type != "polydata"))
+      words_.fail("only DATASET UNSTRUCTURED_GRID and POLYDATA are read, not " + quoted_word(type) +
+                  "; convert it");
   }
 
   void section(const std::string& name) {
     if (name == "points") return points();
     if (name == "cells") return cells();
+    for (const VtkPolyKind& kind : vtk_poly_kinds)
+      if (name == kind.section) return poly_cells(kind.type);
     if (name == "cell_types") return types();
     if (name == "cell_data" || name == "point_data") return data(name == "cell_data");
     if (name == "field") return field();
@@ -84,6 +87,7 @@ class VtkParser {
     if (name == "lookup_table") return lookup_table();
     if (name == "vectors" || name == "normals") return skip_attribute(3);
     if (name == "tensors") return skip_attribute(9);
+    if (name == "texture_coordinates") return texture_coordinates();
     if (name == "metadata") return metadata();
     if (data_size_ == 0)
       words_.fail("the section " + quoted_word(name) + " is not known; save the mesh again");
@@ -97,6 +101,11 @@ class VtkParser {
     builder_.reserve_points(count);
     for (std::size_t i = 0; i < count; ++i)
       builder_.add_point({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]}, i);
+  }
+
+  void poly_cells(std::int64_t type) {
+    cells();
+    cells_.types.resize(cells_.ends.size(), type);
   }
 
   /// Before version 5: each cell its size and its points. Since: OFFSETS and CONNECTIVITY.
@@ -120,12 +129,19 @@ class VtkParser {
 
   void new_cells(std::size_t offsets, std::size_t size) {
     words_.word("OFFSETS");
-    cells_.ends = read<std::int64_t>(words_.word("the type of offsets"), offsets);
+    const auto ends = read<std::int64_t>(words_.word("the type of offsets"), offsets);
     if (lower(words_.word("CONNECTIVITY")) != "connectivity")
       words_.fail("CONNECTIVITY has to come here; save the mesh again");
-    cells_.connectivity = read<std::int64_t>(words_.word("the type of the connectivity"), size);
-    if (cells_.ends.empty() || cells_.ends.front() != 0) words_.fail("the offsets must begin with 0");
-    cells_.ends.erase(cells_.ends.begin());
+    const auto points = read<std::int64_t>(words_.word("the type of the connectivity"), size);
+    if (ends.empty() || ends.front() != 0) words_.fail("the offsets must begin with 0");
+    const auto before = static_cast<std::int64_t>(cells_.connectivity.size());
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      if (ends[i] < 0 || ends[i] > static_cast<std::int64_t>(size))
+        words_.fail("cell " + std::to_string(i - 1) + " ends at entry " + std::to_string(ends[i]) +
+                    " of the connectivity, which is out of range; save the mesh again");
+      cells_.ends.push_back(before + ends[i]);
+    }
+    cells_.connectivity.insert(cells_.connectivity.end(), points.begin(), points.end());
   }
 
   void types() {
@@ -195,6 +211,14 @@ class VtkParser {
     const std::string name(words_.word("the name of an array"));
     read<double>(lower(words_.word("the type of an array")), components * data_size_);
     builder_.left_out("array " + name);
+  }
+
+  void texture_coordinates() {
+    const std::string name(words_.word("the name of an array"));
+    const std::size_t components = words_.count("components", 0);
+    if (components > 3) words_.fail("more than 3 texture coordinates are not possible; save the mesh again");
+    read<double>(lower(words_.word("the type of an array")), components * data_size_);
+    builder_.left_out("texture coordinates " + name);
   }
 
   void lookup_table() {

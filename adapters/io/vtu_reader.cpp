@@ -36,7 +36,7 @@ class VtuParser {
   SimplexSoup parse(const ReadOptions& options) {
     const pugi::xml_node root = load();
     const VtuArrays arrays(root, split_.xml, split_.appended, file_);
-    for (const pugi::xml_node& piece : root.child("UnstructuredGrid").children("Piece"))
+    for (const pugi::xml_node& piece : root.child(poly_ ? "PolyData" : "UnstructuredGrid").children("Piece"))
       read_piece(piece, arrays);
     return builder_.finish(options);
   }
@@ -53,16 +53,17 @@ class VtuParser {
     const pugi::xml_node root = document_.child("VTKFile");
     const std::string type = root.attribute("type").value();
     if (!root) fail_file(file_, "the XML has no element VTKFile; this is not a file of VTK");
-    if (type != "UnstructuredGrid" || !root.child("UnstructuredGrid"))
+    poly_ = type == "PolyData";
+    if ((type != "UnstructuredGrid" && !poly_) || !root.child(type.c_str()))
       fail_file(file_, "the file holds a " + (type.empty() ? "thing without a type" : type) +
-                           " of VTK; only UnstructuredGrid is read, convert it");
+                           " of VTK; only UnstructuredGrid and PolyData are read, convert it");
     return root;
   }
 
   void read_piece(const pugi::xml_node& piece, const VtuArrays& arrays) {
     const auto first_point = static_cast<std::uint32_t>(builder_.soup().points.size());
     read_points(piece, arrays);
-    VtkCells cells = read_cells(piece, arrays);
+    VtkCells cells = poly_ ? read_poly_cells(piece, arrays) : read_cells(piece, arrays);
     read_tags(piece, arrays, cells);
     for (const pugi::xml_node& array : piece.child("PointData").children("DataArray"))
       builder_.left_out(std::string("point array ") + array.attribute("Name").value());
@@ -104,6 +105,34 @@ class VtuParser {
     return cells;
   }
 
+  VtkCells read_poly_cells(const pugi::xml_node& piece, const VtuArrays& arrays) const {
+    VtkCells cells;
+    for (const VtkPolyKind& kind : vtk_poly_kinds) {
+      const std::string element(kind.element);
+      const std::uint64_t expected = piece.attribute(("NumberOf" + element).c_str()).as_ullong();
+      const pugi::xml_node parent = piece.child(element.c_str());
+      if (expected == 0) continue;
+      const auto read = [&](const char* name) {
+        const pugi::xml_node array = parent.find_child_by_attribute("DataArray", "Name", name);
+        if (!array) fail_file(file_, "the " + element + " have no array " + name + "; save the mesh again");
+        return arrays.integers(array);
+      };
+      const std::vector<std::int64_t> points = read("connectivity"), ends = read("offsets");
+      if (ends.size() != expected)
+        fail_file(file_, "there are " + std::to_string(ends.size()) + " offsets for " +
+                             std::to_string(expected) + " " + element + "; get the file whole");
+      const auto before = static_cast<std::int64_t>(cells.connectivity.size());
+      for (const std::int64_t end : ends) {
+        if (end < 0 || end > static_cast<std::int64_t>(points.size()))
+          fail_file(file_, "an offset of the " + element + " is out of range; save the mesh again");
+        cells.ends.push_back(before + end);
+      }
+      cells.connectivity.insert(cells.connectivity.end(), points.begin(), points.end());
+      cells.types.resize(cells.ends.size(), kind.type);
+    }
+    return cells;
+  }
+
   void read_tags(const pugi::xml_node& piece, const VtuArrays& arrays, VtkCells& cells) {
     VtkTagChoice choice;
     const pugi::xml_node data = piece.child("CellData");
@@ -136,6 +165,7 @@ class VtuParser {
   SimplexBuilder builder_;
   pugi::xml_document document_;
   std::uint64_t cell_count_ = 0;
+  bool poly_ = false;
 };
 
 }  // namespace

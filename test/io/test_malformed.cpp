@@ -18,11 +18,11 @@ const std::map<std::string, Verdict> verdicts = {
     {"bad-stl-tardis.stl", {""}},
     {"box_UTF16BE.obj", {": this is UTF-16 text"}},
     {"bunny.off", {": this is a web page"}},
-    // 2 of its 14 faces have one or two distinct vertices; no mesh can keep those.
-    {"cube-minimal-degenerated.obj", {":28: the face has fewer than three distinct vertices"}},
-    {"degenerate_edge.obj", {":12: the face has fewer than three distinct vertices"}},
-    // Every face once more, reversed: four faces on an edge, no surface is left after cutting.
-    {"degenerated.obj", {":9: the face has the same vertices as an earlier face"}},
+    // 2 of its 14 faces have one or two distinct vertices; they are left out.
+    {"cube-minimal-degenerated.obj", {""}},
+    {"degenerate_edge.obj", {""}},
+    // Every face once more, reversed; those are left out.
+    {"degenerated.obj", {""}},
     {"elephav.obj", {": this is a Git LFS pointer"}},
     {"empty.msh", {": files with extension .msh are not read"}},
     {"empty.obj", {": the file is empty"}},
@@ -38,7 +38,7 @@ const std::map<std::string, Verdict> verdicts = {
     {"issue-140-zero-face-idx.obj", {":16: vertex index 0"}},
     {"malformed.obj", {":28: vertex index 0"}},
     {"mni-surface-mesh.obj", {":1: this is not a Wavefront OBJ file"}},
-    {"nancolor.obj", {":7: the vertex is not finite"}},
+    {"nancolor.obj", {""}},
     {"notenoughindices.obj", {":9: the face has 2 corners"}},
     {"square.obj", {":3: the vertex has 2 numbers"}},
     {"test-nan.obj", {":12: the vertex is not finite"}},

@@ -138,11 +138,13 @@ TEST(MshReader, HighOrderElementsKeepTheirCorners) {
   EXPECT_EQ(soup.notes.unused_points, 2U);
 }
 
-TEST(MshReader, RepeatedVerticesAreLeftOutUnlessThereAreMany) {
+TEST(MshReader, RepeatedVerticesAreLeftOut) {
   const std::string text = msh2("2\n1 4 0 10 20 30 40\n2 4 0 10 20 30 10\n");
-  EXPECT_NE(refusal(text).find("a.msh:15: the tetrahedron names a point twice (1 of 2 tetrahedra"),
+  EXPECT_NE(error_of([&] {
+              parse_msh(text, "a.msh", {.max_collapsed_share = 0});
+            }).find("a.msh:15: the tetrahedron names a point twice (1 of 2 tetrahedra"),
             std::string::npos);
-  const SimplexSoup soup = parse_msh(text, "a.msh", {.max_collapsed_share = 0.5});
+  const SimplexSoup soup = parse(text);
   EXPECT_EQ(soup.simplices[3].size(), 1U);
   EXPECT_EQ(soup.notes.repeated_vertex, 1U);
   EXPECT_NE(soup.warnings.at(0).find("a.msh:15: the tetrahedron names a point twice and is left out"),

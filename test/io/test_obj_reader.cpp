@@ -101,25 +101,26 @@ TEST_F(ObjReader, WhatIsLeftOutIsCountedAndTold) {
       << soup.warnings[0];
 }
 
-TEST_F(ObjReader, RepeatedCornersAreDroppedCollapsedFacesAreAllowedOnlyInSmallNumber) {
+TEST_F(ObjReader, RepeatedCornersAndCollapsedFacesAreLeftOut) {
   const auto soup = read(square + "f 1 2 2 3 4 1\n");
   expect_face(soup, 0, {{0}, {1}, {2}, {3}});
   EXPECT_EQ(soup.notes.repeated_corners, 2U);
-  EXPECT_NE(refusal(square + "f 1 2 3\nf 1 2 2\n").find("a.obj:10:"), std::string::npos);
-  EXPECT_NE(refusal(square + "f 1 2 3\nf 1 2 1 2\n").find("a.obj:10:"), std::string::npos);
-  const auto kept = read_obj(file("b.obj", square + "f 1 1 2\nf 1 2 3\nf 3 3 3\nf 1 3 4\n"), {1, 1});
+  EXPECT_EQ(read(square + "f 1 2 3\nf 1 2 1 2\n").notes.collapsed_faces, 1U);
+  const auto kept = read_obj(file("b.obj", square + "f 1 1 2\nf 1 2 3\nf 3 3 3\nf 1 3 4\n"));
   expect_face(kept, 0, {{0}, {1}, {2}});
   expect_face(kept, 1, {{0}, {2}, {3}});
   EXPECT_EQ(kept.face_line, (std::vector<std::uint32_t>{10, 12}));
   EXPECT_EQ(kept.notes.collapsed_faces, 2U);
 }
 
-TEST_F(ObjReader, FlatAndRepeatedFacesAreKeptInSmallNumber) {
+TEST_F(ObjReader, FlatFacesAreKeptRepeatedOnesLeftOutUnlessAskedFor) {
   const std::string good = square + "f 1 2 3\nf 1 3 4\nf 1 2 4\nf 2 3 4\nv 2 0 0\n";
   EXPECT_EQ(read(good + "f 1 2 5\n").notes.flat_faces, 1U);
   EXPECT_EQ(read(good + "f 3 1 2\n").notes.repeated_faces, 1U);
   EXPECT_EQ(read(good + "f 2 1 3\n").notes.repeated_faces, 1U);
-  EXPECT_NE(refusal(square + "f 1 2 3\nf 3 2 1\n").find("a.obj:10: the face has the same vertices"),
+  EXPECT_EQ(read(good + "f 2 1 3\n").face_count(), 4U);
+  EXPECT_EQ(read_obj(file("b.obj", good + "f 2 1 3\n"), {.keep_repeated = true}).face_count(), 5U);
+  EXPECT_NE(refusal(square + "v 2 0 0\nf 1 2 5\nf 1 2 2\n").find("a.obj:10: the face has no area"),
             std::string::npos);
 }
 
@@ -127,10 +128,10 @@ TEST_F(ObjReader, EveryErrorNamesFileAndLine) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"v 0 0\n", ":1: the vertex has 2 numbers"},
       {"v 0 0 1,5\n", ":1: '1,5' is not a number"},
-      {"v 0 0 1.#IND\n", ":1: '1.#IND' is not a number"},
-      {"v 0 0 nan\n", ":1: the vertex is not finite"},
-      {"v 0 0 1e999\n", ":1: the vertex is not finite"},
-      {"vt inf 0\n", ":1: the texture coordinate is not finite"},
+      {"v 0 0 1.#\n", ":1: '1.#' is not a number"},
+      {"v 0 0 1.#IND\nv 0 0 0\nv 1 1 0\nf 2 1 3\n", ":1: the vertex is not finite"},
+      {"v 0 0 nan\nv 0 0 0\nv 1 1 0\nf 2 1 3\n", ":1: the vertex is not finite"},
+      {"v 0 0 1e999\nv 0 0 0\nv 1 1 0\nf 2 1 3\n", ":1: the vertex is not finite"},
       {square + "f 1 2\n", ":9: the face has 2 corners"},
       {square + "f 0 1 2\n", ":9: vertex index 0"},
       {square + "f -5 1 2\n", ":9: vertex index -5"},
@@ -169,7 +170,7 @@ TEST_F(ObjReader, DamagedBytesGiveAnErrorOrASoupWithValidIndices) {
       damaged[random() % damaged.size()] = "0123456789 /-.#\\\n\r\tvfnte\0\xFF"[random() % 26];
     damaged.resize(damaged.size() - random() % 20);
     PolygonSoup soup;
-    if (!error_of([&] { soup = parse_obj(damaged, directory / "d.obj", {1, 1}); }).empty()) continue;
+    if (!error_of([&] { soup = parse_obj(damaged, directory / "d.obj"); }).empty()) continue;
     for (const Corner& c : soup.corners) {
       ASSERT_TRUE(c.v >= 0 && c.v < static_cast<int>(soup.positions.size())) << damaged;
       ASSERT_TRUE(c.vt >= -1 && c.vt < static_cast<int>(soup.texcoords.size())) << damaged;

@@ -251,7 +251,7 @@ TEST(VtkReader, TruncatedOrDamagedFilesNeverCrash) {
 TEST(VtkReader, OtherDatasetsAndForgedCounts) {
   const auto refusal = [](const std::string& text) { return error_of([&] { parse_vtk(text, "a.vtk"); }); };
   const std::string text = legacy(false, false);
-  EXPECT_NE(refusal(replaced(text, "UNSTRUCTURED_GRID", "POLYDATA")).find("not 'polydata'"),
+  EXPECT_NE(refusal(replaced(text, "UNSTRUCTURED_GRID", "STRUCTURED_GRID")).find("not 'structured_grid'"),
             std::string::npos);
   EXPECT_NE(refusal(replaced(text, "POINTS 4", "POINTS 4000000000")).find("too short for 4000000000 points"),
             std::string::npos);

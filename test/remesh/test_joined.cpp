@@ -14,6 +14,7 @@
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/algorithms/surface_topology.hpp"
 #include "test/algorithms/made_surface.hpp"
 
 namespace multimesh::test {
@@ -155,6 +156,23 @@ TexturedTriangles pinched_balls(unsigned seed, std::size_t points) {
   return out;
 }
 
+Joined told(const SurfaceTopology& t) {
+  Joined j;
+  j.components = t.components, j.boundary_loops = t.boundary_loops, j.euler = t.euler_characteristic;
+  return j;
+}
+
+void expect_told_rightly(const TexturedTriangles& in) {
+  const SurfaceTopology t = topology_of(TexturedSurface(in));
+  Joined right = joined(in);
+  std::size_t crowded = 0;
+  for (const auto& [faces, n] : right.crowded) crowded += std::size_t(n);
+  right.crowded.clear();
+  EXPECT_EQ(told(t), right);
+  EXPECT_EQ(t.crowded_edges, crowded);
+  EXPECT_EQ(t.faces, in.triangles.size());
+}
+
 void expect_same_joined(const TexturedTriangles& in, double length) {
   TexturedSurface surface(in);
   SurfaceRemeshOptions options;
@@ -166,6 +184,12 @@ void expect_same_joined(const TexturedTriangles& in, double length) {
 }
 
 class NotManifold : public testing::TestWithParam<unsigned> {};
+
+TEST_P(NotManifold, TheTopologyOfTheJoinedSurfaceIsTold) {
+  expect_told_rightly(touching_cubes(GetParam(), 2));
+  expect_told_rightly(pages(GetParam(), 3 + int(GetParam() % 3), 4));
+  expect_told_rightly(pinched_balls(GetParam(), 1 + GetParam()));
+}
 
 TEST_P(NotManifold, CubesThatTouchStayApart) {
   for (const double length : {0.15, 0.25, 0.5}) expect_same_joined(touching_cubes(GetParam(), 4), length);
@@ -211,6 +235,27 @@ TexturedTriangles charts_that_touch(unsigned seed, std::size_t charts, unsigned 
     return flat + Vec2d(step, -step);
   });
   return out;
+}
+
+TEST(JoinedSurface, WhatDiffersIsNamed) {
+  const SurfaceTopology cubes = topology_of(TexturedSurface(touching_cubes(1, 2)));
+  EXPECT_TRUE(differences(cubes, topology_of(TexturedSurface(touching_cubes(1, 3)))).empty());
+  const std::vector<std::string> list = differences(cubes, topology_of(TexturedSurface(pages(1, 3, 2))));
+  const auto named = [&](const std::string& what) {
+    return std::any_of(list.begin(), list.end(), [&](const std::string& s) { return s.starts_with(what); });
+  };
+  EXPECT_TRUE(named("Euler characteristic: "));
+  EXPECT_TRUE(named("boundary loops: 0 became 1"));
+  EXPECT_TRUE(named("edges with three or more faces: "));
+}
+
+TEST(JoinedSurface, SeamsWithEqualSidesAreCounted) {
+  TexturedSurface surface(two_charts().input);
+  EXPECT_EQ(topology_of(surface).closed_seams, 0U);
+  const SurfaceTopology before = topology_of(surface);
+  for (Vec2d& p : surface.texcoords()) p = Vec2d(0, 0);
+  EXPECT_GT(topology_of(surface).closed_seams, 0U);
+  EXPECT_EQ(differences(before, topology_of(surface)).size(), 1U);
 }
 
 class ManyCharts : public testing::TestWithParam<unsigned> {};

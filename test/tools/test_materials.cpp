@@ -210,8 +210,7 @@ TEST_F(Materials, TexturePagesOfPlyFilesAreMaterials) {
   file("in/right.png", "\x89PNG\r\n\x1a\n");
   fs::create_directories(directory / "out");
   for (const std::string out : {"in", "out"})
-    for (const Arguments& more :
-         {Arguments{"--ratio", "0.1"}, Arguments{"--ratio", "0.5", "--no-preserve-materials"}}) {
+    for (const Arguments& more : {Arguments{"--ratio", "0.1"}, Arguments{"--ratio", "0.02"}}) {
       const Ended e = decimate("in/a.ply", out + "/b.obj", more);
       ASSERT_EQ(e.status, 0) << e.err;
       EXPECT_FALSE(contains(e.err, "warning")) << e.err;
@@ -220,7 +219,7 @@ TEST_F(Materials, TexturePagesOfPlyFilesAreMaterials) {
       ASSERT_EQ(found.size(), 2U);
       EXPECT_NEAR(found.at("left").high, 15, 1e-6) << "no face crosses the border of the pages";
       EXPECT_NEAR(found.at("right").low, 15, 1e-6);
-      EXPECT_NEAR(found.at("left").area, 450, 1e-6);
+      EXPECT_NEAR(found.at("left").area, 450, 1e-3);
       ASSERT_EQ(s.material_libraries, std::vector<std::string>{"b.mtl"});
       EXPECT_EQ(fs::canonical(texture_of(out + "/b.mtl")), fs::canonical(directory / "in/left.png"));
     }

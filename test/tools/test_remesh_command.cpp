@@ -65,13 +65,42 @@ TEST_F(RemeshCommand, ReadsOtherFormats) {
   EXPECT_EQ(info("out.obj")["meshes"]["surface"]["euler_characteristic"], 2);
 }
 
+// Before any work: in an instant, whatever the length.
+TEST_F(RemeshCommand, RefusesMoreFacesThanAllowed) {
+  for (const char* length : {"1e-4", "1e-9", "1e-150", "1e-300"}) {
+    expect(1, "--max-faces", spot(), {"--length", length});
+    expect(1, "faces, more than 50000000", spot(), {"--length", length});
+  }
+  expect(1, "give a length of at least", spot(), {"--relative-length", "0.01", "--max-faces", "10000"});
+  EXPECT_EQ(remesh(spot(), {"--relative-length", "0.03", "--max-faces", "10000"}).status, 0);
+  // A strip without width, whose rim is long.
+  file("strip.obj", "v 0 0 0\nv 1000 0 0\nv 1000 1e-9 0\nf 1 2 3\n");
+  expect(1, "--max-faces", "strip.obj", {"--length", "1e-6"}, "strip_out.obj");
+}
+
+TEST_F(RemeshCommand, TellsWhenTheLengthIsMissed) {
+  file("grid.obj", grid_obj(4, false));
+  const Ended good = remesh("grid.obj", {"--length", "0.3", "--report", "r.json"});
+  ASSERT_EQ(good.status, 0) << good.err;
+  EXPECT_FALSE(contains(good.err, "warning: ")) << good.err;
+  EXPECT_TRUE(json("r.json")["length_reached"].get<bool>());
+  const Ended locked =
+      remesh("grid.obj", {"--length", "0.2", "--lock-boundary", "--report", "l.json"}, "l.obj");
+  ASSERT_EQ(locked.status, 0) << locked.err;
+  EXPECT_TRUE(contains(locked.err, "warning: the length was not reached everywhere")) << locked.err;
+  const Json report = json("l.json");
+  EXPECT_FALSE(report["length_reached"].get<bool>());
+  EXPECT_EQ(report["warnings"].size(), 1U);
+  EXPECT_NEAR(report["longest_edge"].get<double>(), 1, 0.5);
+}
+
 TEST_F(RemeshCommand, RefusesWrongUse) {
   expect(2, "--length", spot(), {});
   expect(2, "--length", spot(), {"--length", "1", "--relative-length", "0.1"});
   expect(2, "above 0", spot(), {"--length", "-1"});
   expect(2, "--iterations", spot(), {"--length", "1", "--iterations", "0"});
   expect(2, "(0, 180]", spot(), {"--length", "1", "--feature-angle", "200"});
-  expect(1, ".obj", spot(), {"--length", "1"}, "out.ply");
+  expect(1, ".obj", spot(), {"--length", "1"}, "out.gltf");
   expect(1, "missing.obj", "missing.obj", {"--length", "1"});
   expect(1, "would replace", spot(), {"--length", "1", "--report", "out.obj"});
 }

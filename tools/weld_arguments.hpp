@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "adapters/io/weld_surface.hpp"
+#include "tools/surface_json.hpp"
+
+namespace multimesh::tools {
+
+/// Adds --weld, --no-weld and --uv-weld; they are written into `o` when the command line is parsed.
+void add_weld_options(CLI::App& command, io::SurfaceWeldOptions& o);
+
+Json to_json(const io::SurfaceWeldOptions& o);
+Json to_json(const io::SurfaceWeldReport& r);
+
+/// What was joined, and what may have to be, in sentences.
+std::vector<std::string> weld_warnings(const io::SurfaceWeldReport& r, const io::SurfaceWeldOptions& o);
+
+}  // namespace multimesh::tools
