@@ -55,7 +55,8 @@ class TexcoordWeld {
       if (vt < 0) continue;
       const auto [nearest, d] = nearest_kept(vt);
       if (nearest >= 0 && d <= tolerance_) {
-        joined[order_[i]] = nearest;
+        // Equal values are one anyway, and may have numbers of their own on purpose.
+        joined[order_[i]] = d == 0 ? vt : nearest;
       } else {
         kept_.push_back(vt);
         if (nearest >= 0 && d < near) farthest = std::max(farthest, d);
