@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/remesh.hpp"
 
+#include <array>
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 #include "adapters/openmesh/root_surface.hpp"
 #include "adapters/openmesh/temporary_property.hpp"
@@ -23,10 +25,37 @@ void check(const RemeshOptions& o) {
   if (o.iterations < 1) throw InputError("remesh: at least one iteration is needed");
 }
 
+template <class At>
+double faces_with(const Mesh& root, const At& at, double length) {
+  double area = 0, rim = 0;
+  for (Index f = 0; f < root.capacity(2); ++f) {
+    if (!root.is_live(2, f)) continue;
+    std::array<Index, 4> v{};
+    root.vertices(root.dart_of(2, f), v.data());
+    area += cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0])).norm() / 2;
+  }
+  for (Index e = 0; e < root.capacity(1); ++e) {
+    if (!root.is_live(1, e)) continue;
+    const Dart d = root.dart_of(1, e);
+    if (root.is_boundary(d, 1)) rim += (at(root.vertex(d)) - at(root.vertex(root.switch_dart(d, 0)))).norm();
+  }
+  return area / length / length / (std::sqrt(3.0) / 4) + rim / length;
+}
+
+void check_faces(const Mesh& root, const Coordinates& positions, const RemeshOptions& o) {
+  const double faces = expected_faces(root, positions, o.length);
+  if (!(faces > static_cast<double>(o.max_faces))) return;
+  std::ostringstream text;
+  text << "remesh: edges of length " << o.length << " make about " << faces << " faces, more than the "
+       << o.max_faces << " that are allowed; a greater length or a higher maximum is needed";
+  throw InputError(text.str());
+}
+
 RemeshResult run(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
                  const RemeshOptions& options, remeshing::Hooks hooks) {
   check(options);
   OpenMesh::PolyConnectivity& om = openmesh::root_surface(operations, "remesh");
+  check_faces(operations.tree().mesh(NodeId::root), positions, options);
   openmesh::TemporaryProperty<OpenMesh::FPropHandleT<Index>> patch(om, "mm:patch");
   openmesh::TemporaryProperty<OpenMesh::EPropHandleT<Index>> line(om, "mm:line");
   return remeshing::Remesher(operations, positions, below, options, patch.values(), line.values(),
@@ -80,6 +109,21 @@ CurveKinds texture_edges(const TexturedSurface& s) {
 }
 
 }  // namespace
+
+double expected_faces(const Mesh& root, const Coordinates& positions, double length) {
+  return faces_with(
+      root, [&](Index v) { return positions.at(v); }, length);
+}
+
+double expected_faces(const TexturedSurface& surface, double length) {
+  return faces_with(
+      surface.tree().mesh(NodeId::root), [&](Index v) { return surface.positions()[v]; }, length);
+}
+
+bool length_reached(const RemeshResult& r, double length) {
+  return static_cast<double>(r.edges_in_range) >= 0.9 * static_cast<double>(r.edges) &&
+         r.longest <= 2 * length && r.shortest >= length / 4;
+}
 
 RemeshResult remesh(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
                     const RemeshOptions& options) {

@@ -15,6 +15,8 @@ struct RemeshOptions {
   double length = 0;
   /// Rounds of split, collapse, swap and smoothing.
   int iterations = 10;
+  /// Above so many faces, by expected_faces(), nothing is begun.
+  std::size_t max_faces = 50'000'000;
   /// Called after each round with its number, from 1 on. May throw: the tree is valid then.
   std::function<void(int round)> progress;
 };
@@ -27,10 +29,20 @@ struct SurfaceRemeshOptions : RemeshOptions {
 
 struct RemeshResult {
   std::size_t splits = 0, collapses = 0, swaps = 0, moves = 0;
-  std::size_t edges = 0;           ///< of the root, at the end
-  std::size_t edges_in_range = 0;  ///< of these, as long as 4/5 to 4/3 of the length wanted
-  double seconds = 0;              ///< by the wall clock
+  std::size_t edges = 0;             ///< of the root, at the end
+  std::size_t edges_in_range = 0;    ///< of these, as long as 4/5 to 4/3 of the length wanted
+  double shortest = 0, longest = 0;  ///< of these
+  double seconds = 0;                ///< by the wall clock
 };
+
+/// How many faces a surface will have with edges of this length, about: those that its area asks for, and one
+/// per edge of its boundary. Infinite if it is too many for a double. Cost: linear.
+double expected_faces(const Mesh& root, const Coordinates& positions, double length);
+double expected_faces(const TexturedSurface& surface, double length);
+
+/// Whether the length was reached: at least 90 % of the edges are in range, none is longer than twice the
+/// length or shorter than a quarter of it. Lines and vertices that stay may stand in the way.
+bool length_reached(const RemeshResult& result, double length);
 
 /// Isotropic remeshing: edges come to have one length, triangles good angles, vertices about six neighbours.
 /// What the tree has besides its root goes along: each seam of a mesh below, each curve and each boundary
@@ -45,8 +57,8 @@ struct RemeshResult {
 /// `positions`: of the root, of dimension 2. `below`: coordinates of its children of dimension 2 (texture
 /// coordinates); those not given are neither kept from flipping nor moved along. `operations` must have the
 /// attributes of all of them, and what else should follow; its options are kept. \throw InputError for
-/// options out of range. Cost: O(n log n) per round. Source: Botsch, Kobbelt, A remeshing approach to
-/// multiresolution modeling, 2004.
+/// options out of range, or if more faces are expected than options.max_faces. Cost: O(n log n) per round.
+/// Source: Botsch, Kobbelt, A remeshing approach to multiresolution modeling, 2004.
 RemeshResult remesh(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
                     const RemeshOptions& options);
 

@@ -10,6 +10,8 @@ void Remesher::count_edges() {
   for (Index e = 0; e < root_.capacity(1); ++e) {
     if (!root_.is_live(1, e)) continue;
     const double l = length(root_.dart_of(1, e));
+    result_.shortest = result_.edges == 0 ? l : std::min(result_.shortest, l);
+    result_.longest = std::max(result_.longest, l);
     ++result_.edges;
     result_.edges_in_range += l >= shortest_share * options_.length && l <= longest_share * options_.length;
   }
