@@ -28,6 +28,12 @@ std::size_t count_coincident(const io::SimplexSoup& soup) {
   return count;
 }
 
+std::size_t count_periodic_pairs(const io::SimplexSoup& soup) {
+  std::size_t pairs = 0;
+  for (const auto& link : soup.periodic) pairs += link.points.size();
+  return pairs;
+}
+
 namespace {
 
 void weld(DomainFile& file, double tolerance) {
@@ -52,8 +58,7 @@ void weld_or_tell(DomainFile& file, const DomainInputOptions& options) {
 }
 
 void check_periodic(DomainFile& file, const DomainInputOptions& options, bool sides_stay) {
-  std::size_t pairs = 0;
-  for (const auto& link : file.soup.periodic) pairs += link.points.size();
+  const std::size_t pairs = count_periodic_pairs(file.soup);
   if (pairs > 0 && !options.no_periodic)
     throw InputError(file.path.string() + ": the mesh is periodic ($Periodic, " + std::to_string(pairs) +
                      " pairs of points), and its sides would not be kept equal; --no-periodic takes it as "

@@ -28,5 +28,7 @@ DomainFile read_domain_input(const std::filesystem::path& path, const DomainInpu
 
 /// Points at the place of another one. Cost: linear
 std::size_t count_coincident(const io::SimplexSoup& soup);
+/// Pairs of points that the file says are copies of one another on opposite sides.
+std::size_t count_periodic_pairs(const io::SimplexSoup& soup);
 
 }  // namespace multimesh::tools

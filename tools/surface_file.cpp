@@ -14,6 +14,7 @@
 #include "multimesh/algorithms/turn_reversed.hpp"
 #include "multimesh/error.hpp"
 #include "tools/domain_file.hpp"
+#include "tools/domain_input.hpp"
 #include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
@@ -131,6 +132,10 @@ io::PolygonSoup read_polygons(const std::filesystem::path& path, bool keep_lines
     throw InputError(path.string() + ": has tetrahedra; give a surface, or use `multimesh improve`");
   if (file.soup.simplices[2].size() == 0 && !keep_lines)
     throw InputError(path.string() + ": has points or lines but no triangle; give a surface");
+  if (const std::size_t pairs = count_periodic_pairs(file.soup); pairs > 0)
+    file.warnings.push_back(
+        "the mesh is periodic ($Periodic, " + std::to_string(pairs) +
+        " pairs of points); it is taken as any other, and its sides need not match afterwards");
   return polygons_of(file);
 }
 

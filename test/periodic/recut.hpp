@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ostream>
 #include <random>
 
 #include "multimesh/algorithms/periodic.hpp"
@@ -21,6 +22,11 @@ enum class Recut {
   blocks,  ///< the blocks of a coarse grid go anywhere nearby: jagged sides
   plane,   ///< what lies beyond an oblique plane is moved to the other side: cut corners, as of a hexagon
 };
+
+/// Found by GoogleTest, which prints the bytes of a parameter otherwise.
+inline void PrintTo(Recut r, std::ostream* out) {
+  *out << (r == Recut::rows ? "rows" : r == Recut::blocks ? "blocks" : "plane");
+}
 
 /// \pre n >= 4, d is 2 or 3
 RecutTorus recut_torus(int d, Index n, Recut how, std::mt19937& random);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ostream>
 #include <string>
 
 #include "multimesh/algorithms/textured_triangles.hpp"
@@ -11,6 +12,10 @@ namespace multimesh::test {
 enum class Cap { fan, corner, strip, halves };
 inline constexpr Cap all_caps[] = {Cap::fan, Cap::corner, Cap::strip, Cap::halves};
 std::string name(Cap cap);
+/// Found by GoogleTest, which prints the bytes of a parameter otherwise.
+inline void PrintTo(Cap cap, std::ostream* out) {
+  *out << name(cap);
+}
 
 /// Surfaces of few long thin triangles: `segments` around, none along. Radius 1 at the bottom.
 TexturedTriangles disk(int segments, Cap cap);

@@ -210,5 +210,23 @@ TEST_F(SurfaceFormats, CurvesAloneAreDescribed) {
   }
 }
 
+TEST_F(SurfaceFormats, ThatTheSidesOfAPeriodicMeshAreNotKeptIsTold) {
+  io::SimplexSoup soup = disk();
+  for (auto& p : soup.points) p[2] = 0;
+  soup.periodic = {{1, 1, 2, {}, {}}};
+  for (std::uint32_t y = 0; y <= n; ++y) {
+    soup.periodic[0].points.push_back({y * (n + 1) + n, y * (n + 1)});
+    if (y == n) continue;
+    for (const std::uint32_t x : {0, n})
+      soup.simplices[1].corners.insert(soup.simplices[1].corners.end(),
+                                       {y * (n + 1) + x, (y + 1) * (n + 1) + x});
+    soup.simplices[1].tags.insert(soup.simplices[1].tags.end(), {1, 2});
+  }
+  io::write_simplices(directory / "tile.msh", soup);
+  const std::string told = "the mesh is periodic ($Periodic, 9 pairs of points)";
+  EXPECT_TRUE(contains(decimate("tile.msh", "out.obj", {"--ratio", "0.5"}).err, told));
+  EXPECT_TRUE(contains(run({"remesh", "tile.msh", "-o", "out.obj", "--length", "1.5"}).err, told));
+}
+
 }  // namespace
 }  // namespace multimesh::tools::test

@@ -18,6 +18,12 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
+/// Where the corners of a face lie on one line up to rounding, its plane and its angles are an accident of
+/// the rounding: they prove nothing about other meshes of the surface.
+bool is_thin(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return Flatness{.rounded = true}.collinear(a, b, c);
+}
+
 }  // namespace
 
 Obstacles::Obstacles(const Workspace& work, SurfaceSplits splits)
@@ -52,16 +58,21 @@ void Obstacles::read_edge(Dart e) {
                           work_.point(ring_.next(i)));
   };
   for (const std::size_t first : held) {
-    if (first >= ring_.size()) continue;
+    if (first >= ring_.size() || is_thin_at(first)) continue;
     double sum = angle(first);
-    for (std::size_t i = (first + 1) % ring_.rim.size();
-         i < ring_.size() && i != first && std::find(held.begin(), held.end(), i) == held.end();
-         i = (i + 1) % ring_.rim.size())
-      sum += angle(i);
+    std::size_t last = (first + 1) % ring_.rim.size();
+    for (; last < ring_.size() && last != first && std::find(held.begin(), held.end(), last) == held.end();
+         last = (last + 1) % ring_.rim.size())
+      sum += angle(last);
+    if (is_thin_at(last)) continue;
     const Forced forced{least_amips_at_dihedral(sum), sum * degrees, Force::edge};
     force(e, forced);
     force(work_.mesh().reorder(e, exchange_ends), forced);
   }
+}
+
+bool Obstacles::is_thin_at(std::size_t rim) const {
+  return is_thin(work_.point(ring_.a), work_.point(ring_.b), work_.point(ring_.rim[rim]));
 }
 
 bool Obstacles::is_crease(Dart e) {
@@ -71,6 +82,7 @@ bool Obstacles::is_crease(Dart e) {
   work_.read_held_faces(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;
   if (held.size() != 2) return true;
+  if (is_thin_at(held[0]) || is_thin_at(held[1])) return false;
   return !lies_flat(work_.point(ring_.a), work_.point(ring_.b), work_.point(ring_.rim[held[0]]),
                     work_.point(ring_.rim[held[1]]), work_.flatness());
 }
@@ -83,6 +95,7 @@ void Obstacles::read_face(Dart f) {
   Index v[4];
   mesh.vertices(f, v);
   const Vec3 p[3] = {work_.point(v[0]), work_.point(v[1]), work_.point(v[2])};
+  if (is_thin(p[0], p[1], p[2])) return;
   for (int i = 0; i < 3; ++i) {
     if (!crease[i] || !crease[(i + 2) % 3]) continue;
     const double angle = angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);

@@ -34,6 +34,7 @@ class Obstacles {
   void read_edge(Dart e);
   void read_face(Dart f);
   bool is_crease(Dart e);
+  bool is_thin_at(std::size_t rim) const;  ///< the face of the ring
   void force(Dart at, const Forced& f);
   std::string reason_of(Index t, double& bound) const;
 
