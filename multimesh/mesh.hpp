@@ -140,7 +140,7 @@ class Mesh {
   /// Whether the k-simplex of d (k < dimension) lies in the boundary of the mesh.
   virtual bool is_boundary(Dart d, int k) const = 0;
   /// A label on an isolated point that must keep its place (a guard:
-  /// docs/concepts.md#when-a-collapse-is-legal).
+  /// docs/concepts.md, "When a collapse is legal").
   virtual bool is_locked(Index vertex) const = 0;
 
   // --- local operations; e = (a, b, ...)

@@ -61,7 +61,7 @@ struct Placement {
 /// everything else here, transactions, and changes of the tree are a UsageError until the operation has
 /// returned, by whatever Propagation of this tree. Cost per operation: that of the stars of the edge's
 /// copies; buffers are re-used, but queries over two or more levels of the tree allocate. Source:
-/// Codimensional MultiMeshing, section 4; legality beyond it: docs/concepts.md#when-a-collapse-is-legal.
+/// Codimensional MultiMeshing, section 4; legality beyond it: docs/concepts.md, "When a collapse is legal".
 class Propagation {
  public:
   explicit Propagation(MultiMesh& tree) : tree_(tree), renumberings_(tree.renumberings_) {}
