@@ -35,7 +35,7 @@ struct LegalityOptions {
   bool contact = false;
 };
 
-/// Whether an edge may be collapsed, and which end keeps its place then: docs/concepts.md, "When a collapse is legal".
+/// Whether an edge may be collapsed, and which end stays: docs/concepts.md, "When a collapse is legal".
 struct CollapseVerdict {
   Refusal refusal;
   bool hold_a = false, hold_b = false;  ///< P and G: the merged vertex must be this end

@@ -27,7 +27,9 @@ int main(int argc, char** argv) {
   using namespace multimesh;
   give_memory_back();
   io::install_signal_cleanup();
-  CLI::App app{"Meshes that stay in step: textured surfaces with their seams, tetrahedra with surfaces and curves inside."};
+  CLI::App app{
+      "Meshes that stay in step: textured surfaces with their seams, tetrahedra with surfaces and curves "
+      "inside."};
   app.name("multimesh");
   app.set_version_flag("--version", std::string("multimesh ") + version);
   app.require_subcommand(1);

@@ -73,7 +73,8 @@ Lost put_surface(OutputBuffer& out, const SimplexSoup& soup, const std::string& 
 void warn_of_tag_sets(const SimplexSoup& soup, const std::string& file, std::vector<std::string>& warnings) {
   for (const SimplexSoup::TagSet& set : soup.tag_sets) {
     std::string groups;
-    for (const std::int32_t tag : set.groups) groups.append(groups.empty() ? "" : ", ").append(std::to_string(tag));
+    for (const std::int32_t tag : set.groups)
+      groups.append(groups.empty() ? "" : ", ").append(std::to_string(tag));
     warnings.push_back(file + ": a simplex has one tag there; tag " + std::to_string(set.tag) + " of " +
                        simplex_plurals[static_cast<std::size_t>(set.dimension)] + " stands for the groups " +
                        groups);

@@ -19,10 +19,10 @@ enum ShadingBits : std::uint8_t {
   flat_shaded = 16,
 };
 
-/// TexturedTriangles::shading from the normals of a file. `corners`: \#F, into `normals`; -1: none. An edge of
-/// two triangles is hard if at either end their normals differ by more than 0.5 degrees; other edges are not,
-/// and a corner without a normal, or with one of no length, makes none hard. Cost: sorting of the edges at
-/// positions with several normals.
+/// TexturedTriangles::shading from the normals of a file. `corners`: \#F, into `normals`; -1: none. An edge
+/// of two triangles is hard if at either end their normals differ by more than 0.5 degrees; other edges are
+/// not, and a corner without a normal, or with one of no length, makes none hard. Cost: sorting of the edges
+/// at positions with several normals.
 std::vector<std::uint8_t> shading(const TexturedTriangles& surface, std::span<const OpenMesh::Vec3d> normals,
                                   std::span<const std::array<std::int32_t, 3>> corners);
 

@@ -76,7 +76,8 @@ double farthest_vertex(const TexturedTriangles& from, const TexturedTriangles& t
     double nearest = infinity;
     for (const auto& t : to.triangles) {
       spatial::Triangle triangle;
-      for (std::size_t i = 0; i < 3; ++i) triangle[i] = point(to.positions[static_cast<std::size_t>(t[i].position)]);
+      for (std::size_t i = 0; i < 3; ++i)
+        triangle[i] = point(to.positions[static_cast<std::size_t>(t[i].position)]);
       nearest = std::min(nearest, spatial::closest_point(point(v), triangle).squared_distance);
     }
     farthest = std::max(farthest, nearest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// bench_decimater FILE..: OpenMesh's DecimaterT with quadrics to a tenth of the faces: alone, with the module of a tree
-// with the texture below, and over a mesh that hides its operations. Side by side, CPU time, medians.
+// bench_decimater FILE..: OpenMesh's DecimaterT with quadrics to a tenth of the faces: alone, with the module
+// of a tree with the texture below, and over a mesh that hides its operations. Side by side, CPU time,
+// medians.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
@@ -107,10 +108,13 @@ void compare(const char* path) {
     std::sort(list.begin(), list.end(), [](const Run& x, const Run& y) { return x.seconds < y.seconds; });
     const Run& m = list[2];
     if (way == 0) alone = m.seconds;
-    std::cout << path << (way == 0 ? "  alone     " : way == 1 ? "  module    " : "  root mesh ") << m.seconds
-              << " s (" << m.seconds / alone << "x), " << m.collapses << " collapses, " << m.faces
-              << " faces left, taken back " << m.stale << ", mirrored " << m.mirrored_before << " -> "
-              << m.mirrored_after << (m.valid ? "" : ", INVALID") << '\n';
+    std::cout << path
+              << (way == 0   ? "  alone     "
+                  : way == 1 ? "  module    "
+                             : "  root mesh ")
+              << m.seconds << " s (" << m.seconds / alone << "x), " << m.collapses << " collapses, "
+              << m.faces << " faces left, taken back " << m.stale << ", mirrored " << m.mirrored_before
+              << " -> " << m.mirrored_after << (m.valid ? "" : ", INVALID") << '\n';
   }
 }
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "multimesh/permutation.hpp"
 #include "multimesh/operations.hpp"
+#include "multimesh/permutation.hpp"
 #include "oracle/complex.hpp"
 #include "test/support/trees.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "multimesh/edge_queue.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 #include <set>
+
+#include "multimesh/edge_queue.hpp"
 
 namespace multimesh {
 namespace {

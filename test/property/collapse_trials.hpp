@@ -77,8 +77,8 @@ std::size_t total_candidates(std::size_t fallback);
 oracle::Surface orientable_surface(std::uint64_t seed);
 
 /// The same tree with its curves below the root cut where their type changes as well (guards,
-/// docs/concepts.md#when-a-collapse-is-legal): where another child or the boundary of the root is met or left.
-/// \pre all children are curves below the root
+/// docs/concepts.md#when-a-collapse-is-legal): where another child or the boundary of the root is met or
+/// left. \pre all children are curves below the root
 oracle::Tree cut_at_contacts(const oracle::Tree& tree);
 
 }  // namespace multimesh::test

@@ -81,13 +81,12 @@ struct TextureForm {
   }
   /// S y
   Vec2d times(const Vec2d& y) const { return {uu * y[0] + uv * y[1], uv * y[0] + vv * y[1]}; }
-  double operator()(const Vec3d& x, const Vec2d& y) const {
-    return 2 * dot(x, mixed(y)) + dot(y, times(y));
-  }
+  double operator()(const Vec3d& x, const Vec2d& y) const { return 2 * dot(x, mixed(y)) + dot(y, times(y)); }
 };
 
-/// x'Ax + 2 b.x + c, x the displacement from a vertex: squared distances from planes that need not pass through
-/// it. In single precision, so of a surface of about size 1: it is only ever added to, and guides where exactness does not matter.
+/// x'Ax + 2 b.x + c, x the displacement from a vertex: squared distances from planes that need not pass
+/// through it. In single precision, so of a surface of about size 1: it is only ever added to, and guides
+/// where exactness does not matter.
 class PlanesForm {
  public:
   void add_plane(const Vec3d& n, double weight) {

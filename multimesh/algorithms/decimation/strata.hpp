@@ -24,7 +24,8 @@ class Strata {
   bool is_curve(Dart e) const;
   /// How much the shape of the curve through e counts, relative to the surface's; 0 if there is none.
   double weight(Dart e) const;
-  /// Whether a collapse of the edge may be legal, as far as the ranks tell: not so for a chord between curves.
+  /// Whether a collapse of the edge may be legal, as far as the ranks tell: not so for a chord between
+  /// curves.
   bool may_collapse(Dart e, Index a, Index b) const {
     return ranks_[a] != ranks_[b] || ranks_[a] == Rank::free || is_curve(e);
   }

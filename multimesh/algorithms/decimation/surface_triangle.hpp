@@ -12,7 +12,8 @@ namespace multimesh::decimation {
 /// A triangle of the surface with all that belongs to its corners, in the order of a dart.
 struct SurfaceTriangle {
   struct Textured {
-    Index facet = no_index;  ///< of the texture; no_index: the triangle has no texture coordinates in this set
+    Index facet =
+        no_index;  ///< of the texture; no_index: the triangle has no texture coordinates in this set
     std::array<Index, 3> vertices;
     std::array<OpenMesh::Vec2d, 3> texcoords;
     std::array<bool, 3> open;  ///< whether edge i, from corner i to i+1, is in the boundary of the texture

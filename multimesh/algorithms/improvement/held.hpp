@@ -37,8 +37,8 @@ class Held {
   bool is_locked_tet(Index t) const;
   /// Whether a held face is locked: neither it nor its sides may be split or swapped.
   bool is_locked_face(Dart f) const;
-  /// Whether the edge of (x,y,..) is required by the input, or has copies or is a side of a face that has, see
-  /// TetDomain: it must stay.
+  /// Whether the edge of (x,y,..) is required by the input, or has copies or is a side of a face that has,
+  /// see TetDomain: it must stay.
   bool is_locked_edge(Dart e) const;
 
  private:

@@ -38,7 +38,10 @@ int main() try {
   options.length = 0.2;
   const RemeshResult remeshed = remesh(even, options);
   const SurfaceComparison comparison = compare_surfaces(input, input, {.samples = 100});
-  return validate(surface.tree()).empty() && validate(even.tree()).empty() && remeshed.splits > 0 && result.faces_before == 4 && comparison.hausdorff < 1e-12 ? 0 : 1;
+  return validate(surface.tree()).empty() && validate(even.tree()).empty() && remeshed.splits > 0 &&
+                 result.faces_before == 4 && comparison.hausdorff < 1e-12
+             ? 0
+             : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;
