@@ -74,7 +74,8 @@ TEST(Operations, InAStormKeepEverything) {
     const Kept kept(domain);
     Workspace work(domain, {});
     Counts counts{};
-    Candidates candidates(work, counts);
+    Refusals refusals(1);
+  Candidates candidates(work, counts, refusals);
     std::mt19937 random(seed);
     std::array<int, n_kinds> done{};
     for (int i = 0; i < 3000; ++i) {
@@ -96,7 +97,8 @@ TEST(Operations, GiveWhatWasPredicted) {
   TetDomain domain(make_box({.squash = 0.9}).input);
   Workspace work(domain, {});
   Counts counts{};
-  Candidates candidates(work, counts);
+  Refusals refusals(1);
+  Candidates candidates(work, counts, refusals);
   std::mt19937 random(5);
   std::array<int, n_kinds> compared{};
   for (int i = 0; i < 1500; ++i) {
@@ -132,7 +134,8 @@ TEST(Operations, TrialsAreUndone) {
   TetDomain domain(make_box({.squash = 0.9}).input);
   Workspace work(domain, {});
   Counts counts{};
-  Candidates candidates(work, counts);
+  Refusals refusals(1);
+  Candidates candidates(work, counts, refusals);
   std::mt19937 random(9);
   const TaggedTetrahedra before = domain.tagged();
   for (int trial = 0; trial < 20; ++trial) {

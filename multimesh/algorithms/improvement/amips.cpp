@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace multimesh::improvement {
 
@@ -53,23 +52,24 @@ double amips(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return std::cbrt(cubed_amips(a, b, c, d));
 }
 
-// d(det)/da = -(v x w + w x u + u x v) =: g, constant in a; d(N)/da = -(u + v + w), d2(N)/da2 = 3 I. With
-// f = N E, E = D^(-2/3):  grad E = -2/3 E g/det,  hess E = 10/9 E (g/det)(g/det)^T.
-AmipsDerivatives amips_derivatives(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+// Of E = N^3 / (2 det^2), by its logarithm: with g = d(det)/da / det, where d(det)/da = -(v x w + w x u + u x
+// v) is constant in a, and m = dN/da / N, where dN/da = -(u + v + w) and d2N/da2 = 3 I:
+//   grad E = E p, p = 3 m - 2 g;  hess E = E (p p^T + 9/N I - 3 m m^T + 2 g g^T).
+AmipsDerivatives cubed_amips_derivatives(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Terms t(a, b, c, d);
   AmipsDerivatives out;
   out.value = infinity;
   if (!(t.det > 0)) return out;
-  const double root = std::cbrt(std::numbers::sqrt2 * t.det);
-  const double e = 1 / (root * root);
-  if (!std::isfinite(t.n * e)) return out;
+  const double e = t.n * t.n * t.n / (2 * t.det * t.det);
+  if (!std::isfinite(e)) return out;
   const Vec3 g = -(t.v.cross(t.w) + t.w.cross(t.u) + t.u.cross(t.v)) / t.det;
-  const Vec3 dn = -(t.u + t.v + t.w);
-  out.value = t.n * e;
-  out.gradient = e * (dn - (2.0 / 3) * t.n * g) / t.scale;
+  const Vec3 m = -(t.u + t.v + t.w) / t.n;
+  const Vec3 p = 3 * m - 2 * g;
+  out.value = e;
+  out.gradient = (e / t.scale) * p;
   out.hessian = e / (t.scale * t.scale) *
-                (3 * Eigen::Matrix3d::Identity() - (2.0 / 3) * (dn * g.transpose() + g * dn.transpose()) +
-                 (10.0 / 9) * t.n * (g * g.transpose()));
+                (p * p.transpose() - 3 * (m * m.transpose()) + 2 * (g * g.transpose()) +
+                 (9 / t.n) * Eigen::Matrix3d::Identity());
   return out;
 }
 

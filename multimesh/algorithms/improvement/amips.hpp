@@ -21,7 +21,7 @@ double amips(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 double cubed_amips(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 inline constexpr double certainly_positive = 1e18;
 
-/// The energy with its derivatives with respect to a, the other corners being held.
+/// The cubed energy with its derivatives with respect to a, the other corners being held.
 struct AmipsDerivatives {
   double value = 0;
   Vec3 gradient = Vec3::Zero();                       ///< per unit of length
@@ -29,6 +29,6 @@ struct AmipsDerivatives {
 };
 
 /// \return value +infinity and derivatives of zero if the tetrahedron is inverted or flat in floating point
-AmipsDerivatives amips_derivatives(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+AmipsDerivatives cubed_amips_derivatives(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 }  // namespace multimesh::improvement

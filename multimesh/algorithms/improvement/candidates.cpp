@@ -26,6 +26,30 @@ double Candidates::star_quality(const std::vector<Corners>& star) const {
   return worst;
 }
 
+/// The vertices of an edge in a fixed order.
+std::pair<Index, Index> Candidates::ends(Dart e) const {
+  const Index a = work_.mesh().vertex(e), b = work_.mesh().vertex(work_.mesh().reorder(e, exchange_ends));
+  return std::minmax({a, b});
+}
+
+bool Candidates::read_place(Dart v, const Demand& demand) {
+  const Index a = work_.mesh().vertex(v);
+  if (demand.remember && refusals_.knows_held(a)) return false;
+  if (place_.read(v)) return true;
+  if (demand.remember) refusals_.note_held(a);
+  return false;
+}
+
+// Reads the star of the vertex, unless it is the last one that was read, in the same state.
+void Candidates::read_star_at(Dart v) {
+  const Index a = work_.mesh().vertex(v);
+  if (a == star_of_ && refusals_.state(a) == star_state_ && star_state_ > 0) return;
+  work_.read_star(v, star_);
+  star_of_ = a;
+  star_state_ = refusals_.state(a);
+  star_quality_ = star_quality(star_);
+}
+
 // --- edges ---------------------------------------------------------------------------------------------
 
 void Candidates::read_edge_state(const Ring& ring) {
@@ -46,9 +70,9 @@ double Candidates::fan_quality(const Ring& ring, std::size_t apex, double limit)
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Index y = ring.rim[i], z = ring.next(i);
     if (y == x || z == x) continue;
-    worst = std::max(worst, work_.quality_of(Corners{ring.a, x, y, z}));
+    worst = std::max(worst, work_.quality_of(Corners{ring.a, x, y, z}, limit));
     if (worst >= limit) break;
-    worst = std::max(worst, work_.quality_of(Corners{x, ring.b, y, z}));
+    worst = std::max(worst, work_.quality_of(Corners{x, ring.b, y, z}, limit));
     if (worst >= limit) break;
   }
   return worst;
@@ -61,15 +85,18 @@ bool Candidates::is_fan_too_long(const Ring& ring, std::size_t apex, const Deman
 }
 
 void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
-  tried(Kind::edge_swap);
+  const auto [low, high] = ends(e);
+  if (is_refused_already(Kind::edge_swap, low, high, demand)) return;
   work_.read_ring(e, ring_);
   read_edge_state(ring_);
   const bool surface = edge_.faces.size() == 2;
   if (edge_.curve || edge_.locked || (!edge_.is_free() && !surface) || ring_.size() > largest_ring ||
       ring_.rim.size() < 3 ||
       (surface && !may_exchange_diagonals(point(ring_.a), point(ring_.b), point(ring_.rim[edge_.faces[0]]),
-                                          point(ring_.rim[edge_.faces[1]]), work_.flatness())))
+                                          point(ring_.rim[edge_.faces[1]]), work_.flatness()))) {
+    note(Kind::edge_swap, low, high, demand);
     return refuse(Kind::edge_swap, Why::held);
+  }
   const double before = ring_quality(ring_);
   double limit = std::min(demand.limit(before), best.after);
   double least = std::numeric_limits<double>::infinity();
@@ -81,9 +108,12 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
     least = std::min(least, after);
     if (after < limit) limit = after, apex = i;
   }
-  if (apex == ring_.rim.size()) return refuse_worse(Kind::edge_swap, least);
+  if (apex == ring_.rim.size()) {
+    if (!(least < demand.limit(before))) note(Kind::edge_swap, low, high, demand);
+    return refuse_worse(Kind::edge_swap, least);
+  }
   const Dart d = work_.face_at(ring_, apex);
-  best = {Kind::edge_swap, d, before, limit, Vec3::Zero(), 0, !ring_.closed};
+  best = {Kind::edge_swap, d, before, limit, Vec3::Zero(), 0, !ring_.closed, surface};
 }
 
 bool Candidates::may_split_held(const Vec3& middle, HeldSplits splits) const {
@@ -96,7 +126,8 @@ bool Candidates::may_split_held(const Vec3& middle, HeldSplits splits) const {
 }
 
 void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
-  tried(Kind::split);
+  const auto [low, high] = ends(e);
+  if (is_refused_already(Kind::split, low, high, demand)) return;
   work_.read_ring(e, ring_);
   read_edge_state(ring_);
   const Vec3 &a = point(ring_.a), &b = point(ring_.b);
@@ -113,43 +144,52 @@ void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
   const Vec3 place = edge_.is_free() && !demand.in_middle ? best_place(middle, opposite_) : middle;
   const double limit = std::min(demand.limit(before), best.after);
   const double after = worst_quality(place, opposite_, limit);
-  if (!(after < limit)) return refuse_worse(Kind::split, after);
+  if (!(after < limit)) {
+    if (!(after < demand.limit(before))) note(Kind::split, low, high, demand);
+    return refuse_worse(Kind::split, after);
+  }
   if (!edge_.is_free() && !may_split_held(middle, demand.held_splits)) return refuse(Kind::split, Why::held);
   std::uint8_t strata = 0;
   if (!edge_.faces.empty()) strata |= Held::on_face;
   if (edge_.curve) strata |= Held::on_curve;
-  best = {Kind::split, ring_.darts.front(), before, after, place, strata, false};
+  best = {Kind::split, ring_.darts.front(), before, after, place, strata, false, strata != 0};
 }
 
 double Candidates::merged_quality(Index b, double limit) const {
   double worst = 0;
   for (const Corners& c : star_) {
     if (c[1] == b || c[2] == b || c[3] == b) continue;
-    worst = std::max(worst, work_.quality_of(Corners{b, c[1], c[2], c[3]}));
+    worst = std::max(worst, work_.quality_of(Corners{b, c[1], c[2], c[3]}, limit));
     if (worst >= limit) break;
   }
   return worst;
 }
 
 void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
-  tried(Kind::collapse);
   const tet::TetMesh& mesh = work_.mesh();
   const Index a = mesh.vertex(e), b = mesh.vertex(mesh.reorder(e, exchange_ends));
+  if (is_refused_already(Kind::collapse, a, b, demand)) return;
   const bool is_free = work_.held().is_free(a);
   // A vertex of the surface goes along the surface only, one of a curve along the curve.
-  if (!is_free &&
-      (work_.held().is_fixed(a) || (work_.held().strata(a) & ~work_.held().strata(b) & ~Held::fixed)))
+  if (!is_free && (work_.held().is_fixed(a) || (demand.remember && refusals_.knows_held(a)) ||
+                   (work_.held().strata(a) & ~work_.held().strata(b) & ~Held::fixed)))
     return refuse(Kind::collapse, Why::held);
-  work_.read_star(e, star_);
-  const double before = star_quality(star_);
+  read_star_at(e);
+  const double before = star_quality_;
   const double limit = std::min(demand.limit(before), best.after);
   const double after = merged_quality(b, limit);
-  if (!(after < limit)) return refuse_worse(Kind::collapse, after);
+  if (!(after < limit)) {
+    if (!(after < demand.limit(before))) note(Kind::collapse, a, b, demand);
+    return refuse_worse(Kind::collapse, after);
+  }
   for (const Corners& c : star_)
     for (std::size_t i = 1; i < 4; ++i)
       if (demand.is_too_long(point(c[i]), point(b))) return refuse(Kind::collapse, Why::length);
-  if (!is_free && !(place_.read(e) && place_.allows_merging(b))) return refuse(Kind::collapse, Why::held);
-  best = {Kind::collapse, e, before, after, Vec3::Zero(), 0, false};
+  if (!is_free && !(read_place(e, demand) && place_.allows_merging(b))) {
+    note(Kind::collapse, a, b, demand);
+    return refuse(Kind::collapse, Why::held);
+  }
+  best = {Kind::collapse, e, before, after, Vec3::Zero(), 0, false, !is_free};
 }
 
 // --- faces ---------------------------------------------------------------------------------------------
@@ -174,10 +214,10 @@ void Candidates::face_swap(Dart f, const Demand& demand, Candidate& best) {
   if (demand.is_too_long(point(v), point(w))) return refuse(Kind::face_swap, Why::length);
   double after = 0;
   for (const auto& [p, q] : {std::pair{x, y}, {y, c[2]}, {c[2], x}}) {
-    after = std::max(after, work_.quality_of(Corners{p, q, v, w}));
+    after = std::max(after, work_.quality_of(Corners{p, q, v, w}, limit));
     if (after >= limit) return refuse_worse(Kind::face_swap, after);
   }
-  best = {Kind::face_swap, f, before, after, Vec3::Zero(), 0, false};
+  best = {Kind::face_swap, f, before, after, Vec3::Zero(), 0, false, false};
 }
 
 // --- vertices ------------------------------------------------------------------------------------------
@@ -188,27 +228,35 @@ void Candidates::read_opposite(const std::vector<Corners>& star) {
 }
 
 void Candidates::smoothing(Dart v, const Demand& demand, Candidate& best) {
-  tried(Kind::smoothing);
   const Index a = work_.mesh().vertex(v);
+  if (is_refused_already(Kind::smoothing, a, a, demand)) return;
   const bool is_free = work_.held().is_free(a);
   Axes axes{true, true, true};
   if (!is_free) {
-    if (!place_.read(v)) return refuse(Kind::smoothing, Why::held);
-    axes = place_.axes();
-    if (axes == Axes{}) return refuse(Kind::smoothing, Why::held);
+    if (read_place(v, demand))
+      axes = place_.axes();
+    else
+      axes = {};
+    if (axes == Axes{}) {
+      note(Kind::smoothing, a, a, demand);
+      return refuse(Kind::smoothing, Why::held);
+    }
   }
-  work_.read_star(v, star_);
-  const double before = star_quality(star_);
+  read_star_at(v);
+  const double before = star_quality_;
   read_opposite(star_);
   const Vec3 place = best_place(point(a), opposite_, axes);
   const double limit = std::min(demand.limit(before), best.after);
   const double after = worst_quality(place, opposite_, limit);
-  if (!(after < limit)) return refuse_worse(Kind::smoothing, after);
+  if (!(after < limit)) {
+    if (!(after < demand.limit(before))) note(Kind::smoothing, a, a, demand);
+    return refuse_worse(Kind::smoothing, after);
+  }
   if (!is_free && !place_.allows(place)) return refuse(Kind::smoothing, Why::held);
   for (const Corners& c : star_)
     for (std::size_t i = 1; i < 4; ++i)
       if (demand.is_too_long(point(c[i]), place)) return refuse(Kind::smoothing, Why::length);
-  best = {Kind::smoothing, v, before, after, place, 0, false};
+  best = {Kind::smoothing, v, before, after, place, 0, false, !is_free};
 }
 
 }  // namespace multimesh::improvement

@@ -5,6 +5,7 @@
 
 #include "multimesh/algorithms/improvement/counts.hpp"
 #include "multimesh/algorithms/improvement/exact_place.hpp"
+#include "multimesh/algorithms/improvement/refusals.hpp"
 #include "multimesh/algorithms/improvement/smoothing.hpp"
 #include "multimesh/algorithms/improvement/workspace.hpp"
 
@@ -22,18 +23,20 @@ struct Candidate {
   Vec3 place = Vec3::Zero();  ///< of the new or moved vertex
   std::uint8_t strata = 0;    ///< of the new vertex
   bool in_boundary = false;   ///< a swap of an edge of the boundary
+  bool surface = false;       ///< whether it changes triangles of the surface, or curves
 
   explicit operator bool() const noexcept { return dart != no_dart; }
 };
 
 /// What is asked of a candidate.
 struct Demand {
-  double gain = 0.999;                                       ///< after < gain * before
+  double gain = 0.97;                                        ///< after < gain * before
   double enough = 0;                                         ///< or after <= this
   double shortest = 0;                                       ///< no new edge is shorter
   double longest = std::numeric_limits<double>::infinity();  ///< no new edge is longer
   HeldSplits held_splits = HeldSplits::rounded;
   bool in_middle = false;  ///< splits put the new vertex into the middle, not where it is best
+  bool remember = false;   ///< what is refused is not asked again until something around it has changed
 
   bool is_too_long(const Vec3& p, const Vec3& q) const {
     return longest < std::numeric_limits<double>::infinity() && (p - q).norm() > longest;
@@ -45,7 +48,8 @@ struct Demand {
 /// Refusals are counted.
 class Candidates {
  public:
-  Candidates(const Workspace& work, Counts& counts) : work_(work), counts_(counts), place_(work) {}
+  Candidates(const Workspace& work, Counts& counts, Refusals& refusals)
+      : work_(work), counts_(counts), refusals_(refusals), place_(work) {}
 
   /// Of the edge of a dart, with the best apex.
   void edge_swap(Dart e, const Demand& demand, Candidate& best);
@@ -73,6 +77,18 @@ class Candidates {
   void refuse_worse(Kind kind, double after) {
     refuse(kind, after < std::numeric_limits<double>::infinity() ? Why::worse : Why::inverted);
   }
+  /// Counts a question, unless it is known to be refused.
+  bool is_refused_already(Kind kind, Index a, Index b, const Demand& demand) {
+    if (demand.remember && refusals_.knows(kind, a, b)) return true;
+    tried(kind);
+    return false;
+  }
+  void note(Kind kind, Index a, Index b, const Demand& demand) {
+    if (demand.remember) refusals_.note(kind, a, b);
+  }
+  std::pair<Index, Index> ends(Dart e) const;
+  bool read_place(Dart v, const Demand& demand);
+  void read_star_at(Dart v);
   void tried(Kind kind) { ++counts_[static_cast<std::size_t>(kind)].tried; }
   double ring_quality(const Ring& ring) const;
   double star_quality(const std::vector<Corners>& star) const;
@@ -84,10 +100,14 @@ class Candidates {
 
   const Workspace& work_;
   Counts& counts_;
+  Refusals& refusals_;
   ExactPlace place_;
   Ring ring_;
   EdgeState edge_;
   std::vector<Corners> star_;
+  Index star_of_ = no_index;  ///< whose star that is, in this state
+  Refusals::State star_state_ = 0;
+  double star_quality_ = 0;
   std::vector<Opposite> opposite_;
 };
 

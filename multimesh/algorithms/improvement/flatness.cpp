@@ -29,12 +29,16 @@ double doubled_area(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 // The smallest height of the tetrahedron is that over its largest face.
 bool Flatness::coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
-  if (orient3d(a.data(), b.data(), c.data(), d.data()) == 0) return true;
-  if (!rounded) return false;
   const double volume = std::abs((b - a).cross(c - a).dot(d - a));
-  const double area =
-      std::max({doubled_area(a, b, c), doubled_area(a, b, d), doubled_area(a, c, d), doubled_area(b, c, d)});
-  return volume <= area * rounding_of({&a, &b, &c, &d});
+  // Where rounding cannot have made this of a volume of 0, the exact sign need not be asked.
+  constexpr double surely = 0x1p-48;
+  const bool may_be_flat = !(volume > surely * (b - a).norm() * (c - a).norm() * (d - a).norm());
+  if (rounded) {
+    const double area = std::max(
+        {doubled_area(a, b, c), doubled_area(a, b, d), doubled_area(a, c, d), doubled_area(b, c, d)});
+    if (volume <= area * rounding_of({&a, &b, &c, &d})) return true;
+  }
+  return may_be_flat && orient3d(a.data(), b.data(), c.data(), d.data()) == 0;
 }
 
 bool Flatness::collinear(const Vec3& a, const Vec3& b, const Vec3& c) const {

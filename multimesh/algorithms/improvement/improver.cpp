@@ -26,8 +26,15 @@ Improver::Improver(TetDomain& domain, const ImproveOptions& options)
       work_(domain, options),
       forced_(work_, options.surface_splits),
       expected_(work_.mesh().capacity(0)),
-      candidates_(work_, counts_) {
-  for (Index v = 0; v < expected_.size(); ++v) expected_[v] = forced_.bound_at(v);
+      refusals_(work_.count_tets()),
+      candidates_(work_, counts_, refusals_) {
+  for (Index v = 0; v < expected_.size(); ++v) {
+    expected_[v] = forced_.bound_at(v);
+    corners_.push_back(v);
+  }
+  refusals_.change(corners_, true);
+  demand_.remember = true;
+  demand_.enough = limit_;
   demand_.shortest = options.min_edge_length;
   demand_.held_splits = static_cast<HeldSplits>(options.surface_splits);
 }
@@ -69,19 +76,27 @@ bool Improver::take(const Candidate& c) {
   ++count.done;
   ++done_;
   if (trying_ && c.kind == Kind::split) fresh_.push_back(work_.mesh().vertex(at));
-  changed(at);
+  changed(at, c.surface);
   return true;
 }
 
 // All tetrahedra around the vertex are to be looked at again.
-void Improver::changed(Dart v) {
+void Improver::changed(Dart v, bool surface) {
   work_.read_star(v, star_);
-  if (trying_) {
-    touched_.insert(touched_.end(), star_.begin(), star_.end());
-    return;
+  corners_.clear();
+  for (const Index t : star_) {
+    const Corners c = work_.corners(t);
+    corners_.insert(corners_.end(), c.begin(), c.end());
   }
-  for (const Index t : star_)
-    if (const double q = work_.quality_of(t); q > limit_) queue_.push(t, -q);
+  refusals_.change(corners_, surface);
+  if (trying_)
+    touched_.insert(touched_.end(), star_.begin(), star_.end());
+  else
+    for (const Index t : star_) push(t);
+}
+
+void Improver::push(Index t) {
+  if (const double q = work_.quality_of(t); q > limit_) queue_.push(t, -q);
 }
 
 // Near what is forced, a mesh of reasonable size cannot be good at once: what must be expected falls off with
@@ -158,6 +173,7 @@ bool Improver::improve_tet(Index t) {
 template <class Start>
 bool Improver::attempt(double before, const Start& start) {
   Transaction trial = work_.operations().transaction();
+  const std::size_t states = refusals_.begin_trial();
   const Counts counts = counts_;
   const std::size_t done = done_;
   trying_ = true;
@@ -166,6 +182,7 @@ bool Improver::attempt(double before, const Start& start) {
   const bool better = start() && improve_touched(std::max(trial_gain * before, limit_));
   trying_ = false;
   fresh_.clear();
+  refusals_.end_trial(states, !better);
   if (!better) {
     done_ = done;
     for (std::size_t i = 0; i < n_kinds; ++i) counts_[i].done = counts[i].done;
@@ -173,18 +190,23 @@ bool Improver::attempt(double before, const Start& start) {
   }
   trial.commit();
   for (const Index s : touched_)
-    if (work_.is_live(s))
-      if (const double q = work_.quality_of(s); q > limit_) queue_.push(s, -q);
+    if (work_.is_live(s)) push(s);
   return true;
+}
+
+// Takes splits whatever comes of them at first.
+Demand Improver::daring() const {
+  Demand demand = demand_;
+  demand.enough = flat;
+  demand.remember = false;
+  return demand;
 }
 
 bool Improver::try_splits(Index t) {
   const double before = work_.quality_of(t);
-  Demand daring = demand_;
-  daring.enough = flat;
   for (const auto& [i, j] : edge_corners) {
     Candidate split;
-    candidates_.split(Workspace::edge(t, i, j), daring, split);
+    candidates_.split(Workspace::edge(t, i, j), daring(), split);
     if (split && attempt(before, [&] { return take(split); })) return true;
   }
   return false;
@@ -193,15 +215,13 @@ bool Improver::try_splits(Index t) {
 // Bisects longest edges (Rivara 1984), each time near the worst tetrahedron: where the domain is thin, or the
 // mesh coarse beside something small, one split alone does not help.
 bool Improver::try_refinement(Index t, int splits) {
-  Demand daring = demand_;
-  daring.enough = flat;
   const double before = work_.quality_of(t);
   return attempt(before, [&] {
     touched_.push_back(t);
     Index worst = t;
     for (int i = 0; i < splits; ++i) {
       Candidate split;
-      candidates_.split(longest_edge_near(worst), daring, split);
+      candidates_.split(longest_edge_near(worst), daring(), split);
       if (!take(split)) return i > 0;
       double quality;
       worst = worst_touched(quality);
@@ -255,8 +275,30 @@ bool Improver::improve_touched(double limit) {
 
 void Improver::push_bad() {
   for (Index t = 0; t < work_.mesh().capacity(3); ++t)
-    if (work_.is_live(t))
-      if (const double q = work_.quality_of(t); q > limit_) queue_.push(t, -q);
+    if (work_.is_live(t)) push(t);
+}
+
+// The corner whose star has changed last stands for all four.
+Refusals::State Improver::state(Index t) const {
+  Refusals::State latest = 0;
+  for (const Index v : work_.corners(t)) latest = std::max(latest, refusals_.state(v));
+  return latest;
+}
+
+bool Improver::was_asked(Index t, int effort) const {
+  return t < asked_.size() && asked_[t].effort >= effort && asked_[t].state == state(t);
+}
+
+void Improver::improve_bad(Index t, int trial_splits) {
+  if (was_asked(t, trial_splits)) return;
+  if (swap_or_collapse(t, demand_) || smooth(t, demand_)) return;
+  if (work_.quality_of(t) > demanded(t) && may_grow()) {
+    if (split(t, demand_)) return;
+    if (trial_splits > 0 && try_splits(t)) return;
+    if (trial_splits > 1 && try_refinement(t, trial_splits)) return;
+  }
+  if (t >= asked_.size()) asked_.resize(t + t / 2 + 1);
+  asked_[t] = {state(t), trial_splits};
 }
 
 std::size_t Improver::pass(int trial_splits) {
@@ -267,10 +309,7 @@ std::size_t Improver::pass(int trial_splits) {
     const Index t = next.edge;
     if (!work_.is_live(t) || work_.held().is_locked_tet(t) || !(work_.quality_of(t) > limit_)) continue;
     tick();
-    if (swap_or_collapse(t, demand_) || smooth(t, demand_)) continue;
-    if (!(work_.quality_of(t) > demanded(t)) || !may_grow()) continue;
-    if (split(t, demand_) || trial_splits == 0) continue;
-    if (!try_splits(t) && trial_splits > 1) try_refinement(t, trial_splits);
+    improve_bad(t, trial_splits);
   }
   return done_ - done;
 }
@@ -312,9 +351,8 @@ Dart Improver::longest_edge(Index t) const {
 }
 
 std::size_t Improver::refine() {
-  Demand daring = demand_;
-  daring.enough = flat;
-  daring.in_middle = true;
+  Demand demand = daring();
+  demand.in_middle = true;
   std::vector<Index> bad;
   for (Index t = 0; t < work_.mesh().capacity(3); ++t)
     if (work_.is_live(t) && !work_.held().is_locked_tet(t) && work_.quality_of(t) > demanded(t))
@@ -323,7 +361,7 @@ std::size_t Improver::refine() {
   for (const Index t : bad) {
     if (!work_.is_live(t) || !may_grow()) continue;
     Candidate split;
-    candidates_.split(longest_edge_near(t), daring, split);
+    candidates_.split(longest_edge_near(t), demand, split);
     if (!take(split)) continue;
     keep(work_.mesh().vertex(split_at_));
     ++done;
@@ -334,6 +372,7 @@ std::size_t Improver::refine() {
 bool Improver::refine_and_improve() {
   constexpr int deepest = 3;
   Transaction round = work_.operations().transaction();
+  const std::size_t states = refusals_.begin_trial();
   const Counts counts = counts_;
   const std::size_t done = done_;
   const Badness before = badness();
@@ -341,9 +380,12 @@ bool Improver::refine_and_improve() {
     for (const int trial_splits : {0, 1, 2}) pass(trial_splits);
     if (!before.is_worse_than(badness())) continue;
     round.commit();
+    refusals_.end_trial(states, false);
     kept_.clear();
+    asked_.clear();  // of what was kept, collapses were not asked
     return true;
   }
+  refusals_.end_trial(states, true);
   kept_.clear();
   done_ = done;
   for (std::size_t i = 0; i < n_kinds; ++i) counts_[i].done = counts[i].done;

@@ -51,6 +51,11 @@ class Improver {
 
  private:
   bool improve_tet(Index t);
+  void improve_bad(Index t, int trial_splits);
+  bool was_asked(Index t, int effort) const;
+  Refusals::State state(Index t) const;
+  void push(Index t);
+  Demand daring() const;
   double demanded(Index t) const;
   void grade(Index v, Index a, Index b);
   bool may_grow();
@@ -73,7 +78,7 @@ class Improver {
   /// \return a dart at a vertex that all new tetrahedra contain, no_dart if refused
   Dart apply(const Candidate& candidate);
   bool take(const Candidate& candidate);
-  void changed(Dart v);
+  void changed(Dart v, bool surface);
   bool improve_touched(double limit);
 
   template <class Excess, class Apply>
@@ -92,12 +97,19 @@ class Improver {
   std::size_t size_ = 0;  ///< as of a few questions ago
   std::function<void()> tick_;
   Counts counts_{};
+  Refusals refusals_;
   Candidates candidates_;
+  /// With how much effort a tetrahedron was asked in vain, and in which state of the stars of its corners.
+  struct Asked {
+    Refusals::State state = 0;
+    int effort = -1;
+  };
+  std::vector<Asked> asked_;
   Demand demand_;
   EdgeQueue queue_;  ///< of tetrahedra; cost: minus the quality
   std::size_t done_ = 0;
   bool trying_ = false;  ///< in a trial: changes go to touched_
-  std::vector<Index> touched_, star_;
+  std::vector<Index> touched_, star_, corners_;
   Dart split_at_ = no_dart;   ///< at the vertex of the last split
   std::vector<bool> kept_;    ///< vertices that refinement made, which may not be collapsed at once
   std::vector<Index> fresh_;  ///< vertices made by the trial, which may not be collapsed at once

@@ -49,6 +49,7 @@ std::size_t Improver::resize(bool first) {
   const double longest = options_.edge_length * 4 / 3, shortest = options_.edge_length * 4 / 5;
   Demand demand = demand_;
   demand.gain = 1;
+  demand.remember = false;
   demand.enough = first ? flat : limit_;
   demand.in_middle = first;
   // The longest edge around goes first (Rivara 1984): bisecting others beside one that must stay never ends.

@@ -25,14 +25,12 @@ struct Derivatives {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
 };
 
-// Of f^3: 3 f^2 grad f, and 3 f^2 hess f + 6 f grad f grad f^T.
 Derivatives derivatives(const Vec3& v, const std::vector<Opposite>& around) {
   Derivatives sum;
   for (const Opposite& o : around) {
-    const AmipsDerivatives f = amips_derivatives(v, o[0], o[1], o[2]);
-    const double square = f.value * f.value;
-    sum.gradient += 3 * square * f.gradient;
-    sum.hessian += 3 * square * f.hessian + 6 * f.value * (f.gradient * f.gradient.transpose());
+    const AmipsDerivatives f = cubed_amips_derivatives(v, o[0], o[1], o[2]);
+    sum.gradient += f.gradient;
+    sum.hessian += f.hessian;
   }
   return sum;
 }
@@ -109,7 +107,7 @@ Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axe
 double worst_quality(const Vec3& v, const std::vector<Opposite>& around, double limit) {
   double worst = 0;
   for (const Opposite& o : around) {
-    worst = std::max(worst, quality(v, o[0], o[1], o[2]));
+    worst = std::max(worst, quality(v, o[0], o[1], o[2], limit));
     if (worst >= limit) break;
   }
   return worst;

@@ -14,6 +14,12 @@ double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return std::min(q, flat);
 }
 
+double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double limit) {
+  const double q = cubed_amips(a, b, c, d);
+  if (q < certainly_positive) return q;
+  return limit <= certainly_positive ? std::numeric_limits<double>::infinity() : quality(a, b, c, d);
+}
+
 namespace {
 
 constexpr std::array<bool, 24> even = [] {

@@ -19,6 +19,9 @@ using Corners = std::array<Index, 4>;
 /// what the energy can tell: `flat`. All comparisons of quality are of these numbers; lower is better.
 double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 inline constexpr double flat = 1e300;
+/// The same where it is below the limit; else any number from the limit on. Cheaper where the tetrahedron is
+/// nearly flat, and the limit is not so large that it matters which way.
+double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double limit);
 
 /// The tetrahedra around an edge (a,b), in turn: (a,b,rim[i],rim[i+1]), each of positive orientation. Closed:
 /// as many as rim, and the last one ends at rim[0]; open: one fewer, from boundary to boundary.
@@ -52,6 +55,9 @@ class Workspace {
   Corners corners(Index t, std::size_t first = 0) const;
   double quality_of(const Corners& c) const {
     return quality(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
+  }
+  double quality_of(const Corners& c, double limit) const {
+    return quality(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]], limit);
   }
   double quality_of(Index t) const { return quality_of(corners(t)); }
 
