@@ -73,13 +73,6 @@ std::vector<OperationCount> named(const Counts& counts) {
   return list;
 }
 
-std::size_t count_bad(const Improver& improver) {
-  std::size_t n = 0;
-  for (Index t = 0; t < improver.work().mesh().capacity(3); ++t)
-    n += improver.work().is_live(t) && improver.work().quality_of(t) > improver.limit();
-  return n;
-}
-
 /// Tetrahedra that a mesh of this volume and edge length has, about.
 double expected_size(const Workspace& work, double length) {
   if (length == 0) return 0;
@@ -102,18 +95,10 @@ class Run {
     if (options.progress) improver.set_tick([this] { tell(); });
   }
 
-  /// A plain pass, then ones with trials of 1, 2, 4 .. splits, until not even the longest ones help; then
-  /// refinement of all that is bad, as long as that helps.
+  /// Passes; then refinement of all that is bad, as long as that helps.
   void go(ImproveResult& result) {
-    constexpr int most_trial_splits = 16;
-    for (int trial_splits = 0; is_bad_or_missized() && may_go_on();) {
-      ++pass_;
-      const std::size_t done = improver_.pass(trial_splits);
-      tell();
-      if (done + resized_ == 0 && trial_splits == most_trial_splits) break;
-      trial_splits = std::clamp(2 * trial_splits, 1, most_trial_splits);
-    }
-    while (count_bad(improver_) > 0 && may_go_on() && improver_.refine_and_improve()) {
+    make_passes();
+    while (improver_.count_bad() > 0 && may_go_on() && improver_.refine_and_improve()) {
       ++pass_;
       tell();
     }
@@ -124,13 +109,30 @@ class Run {
  private:
   bool may_go_on() const { return pass_ < options_.max_passes && !improver_.is_out_of_time(); }
 
+  /// A plain pass, then ones with trials of 1, 2, 4 .. splits, until not even the longest ones help, nor, in
+  /// the end, smaller steps.
+  void make_passes() {
+    constexpr int most_trial_splits = 16;
+    Badness before = improver_.badness();
+    for (int trial_splits = 0; is_bad_or_missized() && may_go_on();) {
+      ++pass_;
+      improver_.pass(trial_splits);
+      tell();
+      const Badness now = improver_.badness();
+      const bool helped = before.is_worse_than(now) || resized_ > 0;
+      if (helped) before = now;
+      if (!helped && trial_splits == most_trial_splits && !improver_.take_smaller_steps()) break;
+      trial_splits = std::clamp(2 * trial_splits, 1, most_trial_splits);
+    }
+  }
+
   bool is_bad_or_missized() {
     if (options_.edge_length > 0 && may_go_on()) resized_ = improver_.resize(pass_ == 0);
-    return count_bad(improver_) > 0 || resized_ > 0;
+    return improver_.count_bad() > 0 || resized_ > 0;
   }
 
   ImproveStop stop() const {
-    if (count_bad(improver_) == 0) return ImproveStop::done;
+    if (improver_.count_bad() == 0) return ImproveStop::done;
     if (improver_.is_out_of_time()) return ImproveStop::time_limit;
     if (pass_ >= options_.max_passes) return ImproveStop::max_passes;
     return improver_.was_full() ? ImproveStop::max_growth : ImproveStop::done;
@@ -139,7 +141,7 @@ class Run {
   void tell() const {
     if (!options_.progress) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
-    options_.progress({pass_, count_bad(improver_), improver_.work().count_tets(), seconds.count()});
+    options_.progress({pass_, improver_.count_bad(), improver_.work().count_tets(), seconds.count()});
   }
 
   Improver& improver_;

@@ -245,9 +245,14 @@ void Candidates::smoothing(Dart v, const Demand& demand, Candidate& best) {
   read_star_at(v);
   const double before = star_quality_;
   read_opposite(star_);
-  const Vec3 place = best_place(point(a), opposite_, axes);
+  constexpr int sharpness = 4;
+  Vec3 place = best_place(point(a), opposite_, axes);
   const double limit = std::min(demand.limit(before), best.after);
-  const double after = worst_quality(place, opposite_, limit);
+  double after = worst_quality(place, opposite_, limit);
+  if (demand.sharp && !(after < limit)) {
+    place = best_place(place, opposite_, axes, sharpness);
+    after = worst_quality(place, opposite_, limit);
+  }
   if (!(after < limit)) {
     if (!(after < demand.limit(before))) note(Kind::smoothing, a, a, demand);
     return refuse_worse(Kind::smoothing, after);

@@ -36,6 +36,7 @@ struct Demand {
   double longest = std::numeric_limits<double>::infinity();  ///< no new edge is longer
   HeldSplits held_splits = HeldSplits::rounded;
   bool in_middle = false;  ///< splits put the new vertex into the middle, not where it is best
+  bool sharp = false;      ///< vertices may also go where the worst tetrahedron alone is best
   bool remember = false;   ///< what is refused is not asked again until something around it has changed
 
   bool is_too_long(const Vec3& p, const Vec3& q) const {

@@ -273,6 +273,12 @@ bool Improver::improve_touched(double limit) {
   return false;
 }
 
+std::size_t Improver::count_bad() const {
+  std::size_t n = 0;
+  for (Index t = 0; t < work_.mesh().capacity(3); ++t) n += work_.is_live(t) && work_.quality_of(t) > limit_;
+  return n;
+}
+
 void Improver::push_bad() {
   for (Index t = 0; t < work_.mesh().capacity(3); ++t)
     if (work_.is_live(t)) push(t);
@@ -312,6 +318,15 @@ std::size_t Improver::pass(int trial_splits) {
     improve_bad(t, trial_splits);
   }
   return done_ - done;
+}
+
+bool Improver::take_smaller_steps() {
+  if (demand_.sharp) return false;
+  demand_.sharp = true;
+  demand_.gain = 0.999;
+  refusals_.forget();
+  asked_.clear();
+  return true;
 }
 
 // --- refinement ----------------------------------------------------------------------------------------

@@ -23,23 +23,28 @@ class Improver {
  public:
   Improver(TetDomain& domain, const ImproveOptions& options);
 
+  /// Tetrahedra above the target.
+  std::size_t count_bad() const;
   /// One pass over all tetrahedra above the target, worst first. Where nothing helps at once, that many
   /// splits are tried that make things worse at first, and kept if what follows makes them better than
   /// before. \return how many operations were done
   std::size_t pass(int trial_splits);
+  /// From now on smaller steps count, and more is tried for them. \return false if that is so already
+  bool take_smaller_steps();
   /// Refines around all bad tetrahedra, whatever comes of it at first, and makes passes on the result. All is
   /// undone unless the mesh gets better.
   bool refine_and_improve();
   /// Splits edges that are too long, and collapses short ones. \return how many
   /// \param first quality does not matter for the splits yet
   std::size_t resize(bool first);
-  /// How many tetrahedra the mesh may have while edges are split for quality.
   /// Of the mesh as it is, beside the length that was asked for.
   EdgeLengths measure_lengths() const;
+  /// How many tetrahedra the mesh may have while edges are split for quality.
   void set_largest_size(std::size_t tets) { largest_size_ = tets; }
   /// Called about once a second.
   void set_tick(std::function<void()> tick) { tick_ = std::move(tick); }
   bool is_out_of_time() const;
+  Badness badness() const;
   /// Whether splits have been left out because the mesh had grown enough.
   bool was_full() const { return was_full_; }
   const Obstacles& forced() const { return forced_; }
@@ -65,7 +70,6 @@ class Improver {
   Dart longest_edge(Index t) const;
   bool is_kept(Index v) const { return v < kept_.size() && kept_[v]; }
   void keep(Index v);
-  Badness badness() const;
   bool try_splits(Index t);
   bool try_refinement(Index t, int splits);
   template <class Start>

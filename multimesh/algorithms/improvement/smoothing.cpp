@@ -14,26 +14,43 @@ namespace {
 constexpr int most_steps = 10, most_halvings = 12;
 constexpr double least_gain = 1e-3;  // per step, relative to the energy
 
-double energy(const Vec3& v, const std::vector<Opposite>& around) {
-  double sum = 0;
-  for (const Opposite& o : around) sum += cubed_amips(v, o[0], o[1], o[2]);
-  return sum;
-}
-
 struct Derivatives {
   Vec3 gradient = Vec3::Zero();
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
 };
 
-Derivatives derivatives(const Vec3& v, const std::vector<Opposite>& around) {
-  Derivatives sum;
-  for (const Opposite& o : around) {
-    const AmipsDerivatives f = cubed_amips_derivatives(v, o[0], o[1], o[2]);
-    sum.gradient += f.gradient;
-    sum.hessian += f.hessian;
+/// The sum over the tetrahedra of (E/s)^p, E their cubed energy.
+struct Objective {
+  const std::vector<Opposite>& around;
+  int power = 1;
+  double scale = 1;  ///< keeps powers within the range of doubles
+
+  double value(const Vec3& v) const {
+    double sum = 0;
+    for (const Opposite& o : around) sum += raised(cubed_amips(v, o[0], o[1], o[2]), power);
+    return sum;
   }
-  return sum;
-}
+
+  Derivatives derivatives(const Vec3& v) const {
+    Derivatives sum;
+    for (const Opposite& o : around) {
+      const AmipsDerivatives f = cubed_amips_derivatives(v, o[0], o[1], o[2]);
+      const double once = power == 1 ? 1 : power * raised(f.value, power - 1) / scale;
+      sum.gradient += once * f.gradient;
+      sum.hessian += once * f.hessian;
+      if (power > 1) sum.hessian += once * (power - 1) / f.value * (f.gradient * f.gradient.transpose());
+    }
+    return sum;
+  }
+
+ private:
+  double raised(double e, int n) const {
+    if (power == 1) return e;
+    double product = 1;
+    for (int i = 0; i < n; ++i) product *= e / scale;
+    return product;
+  }
+};
 
 void restrict_to(Axes axes, Derivatives& d) {
   const double scale = d.hessian.cwiseAbs().maxCoeff();
@@ -57,8 +74,9 @@ Vec3 descent(const Derivatives& d) {
 }
 
 /// A place with finite energy to start from; false if none was found.
-bool find_start(Vec3& v, double& value, const std::vector<Opposite>& around, Axes axes) {
-  value = energy(v, around);
+bool find_start(Vec3& v, double& value, const Objective& objective, Axes axes) {
+  const std::vector<Opposite>& around = objective.around;
+  value = objective.value(v);
   if (std::isfinite(value)) return true;
   Vec3 mean = Vec3::Zero();
   for (const Opposite& o : around) mean += o[0] + o[1] + o[2];
@@ -67,7 +85,7 @@ bool find_start(Vec3& v, double& value, const std::vector<Opposite>& around, Axe
     if (!axes[static_cast<std::size_t>(i)]) mean[i] = v[i];
   for (double t : {0.01, 0.1, 0.5, 1.0}) {
     const Vec3 p = (1 - t) * v + t * mean;
-    value = energy(p, around);
+    value = objective.value(p);
     if (!std::isfinite(value)) continue;
     v = p;
     return true;
@@ -77,12 +95,18 @@ bool find_start(Vec3& v, double& value, const std::vector<Opposite>& around, Axe
 
 }  // namespace
 
-Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axes) {
+Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axes, int sharpness) {
   Vec3 v = start;
   double value;
-  if (!find_start(v, value, around, axes)) return start;
+  Objective objective{around};
+  if (sharpness > 1) {
+    objective.scale = worst_quality(start, around, certainly_positive);
+    if (!(objective.scale < certainly_positive)) return start;
+    objective.power = sharpness;
+  }
+  if (!find_start(v, value, objective, axes)) return start;
   for (int step = 0; step < most_steps; ++step) {
-    Derivatives d = derivatives(v, around);
+    Derivatives d = objective.derivatives(v);
     restrict_to(axes, d);
     if (!d.gradient.allFinite() || !d.hessian.allFinite()) break;
     const Vec3 direction = descent(d);
@@ -92,7 +116,7 @@ Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axe
     Vec3 p = v;
     for (int i = 0; i < most_halvings; ++i, t /= 2) {
       p = v + t * direction;
-      next = energy(p, around);
+      next = objective.value(p);
       if (next <= value + 1e-4 * t * slope) break;
     }
     if (!(next < value)) break;

@@ -19,7 +19,9 @@ using Axes = std::array<bool, 3>;
 /// line search that stays where all are positive. Starts from `start`, or, if one is inverted or flat there
 /// in floating point, from the mean of the corners around. \return the place; `start` where nothing was
 /// gained. Cost: up to 10 steps of some 100 ns per tetrahedron
-Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axes = {true, true, true});
+/// \param sharpness power of the cubed energies: the higher, the more the worst one alone counts
+Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axes = {true, true, true},
+                int sharpness = 1);
 
 /// The greatest cubed energy of the tetrahedra (v,p,q,r); +infinity if one has no positive orientation,
 /// exactly. Stops, with any number from there on, once it reaches `limit`.
