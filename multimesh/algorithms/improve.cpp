@@ -95,19 +95,28 @@ class Run {
     if (options.progress) improver.set_tick([this] { tell(); });
   }
 
-  /// Passes; then refinement of all that is bad, as long as that helps.
+  /// Where the surface forces more than the target somewhere, that is aimed at first, everywhere: it takes
+  /// few new vertices, and nothing is refined on the way to what the worst place makes impossible.
   void go(ImproveResult& result) {
-    make_passes();
-    while (improver_.count_bad() > 0 && may_go_on() && improver_.refine_and_improve()) {
-      ++pass_;
-      tell();
-    }
+    const double possible = near_bound * improver_.forced().bound();
+    if (possible > options_.target_amips && std::isfinite(possible)) approach(possible);
+    approach(options_.target_amips);
     result.passes = pass_;
     result.stop = stop();
   }
 
  private:
   bool may_go_on() const { return pass_ < options_.max_passes && !improver_.is_out_of_time(); }
+
+  /// Passes; then refinement of all that is bad, as long as that helps.
+  void approach(double amips) {
+    improver_.aim_at(amips);
+    make_passes();
+    while (improver_.count_bad() > 0 && may_go_on() && improver_.refine_and_improve()) {
+      ++pass_;
+      tell();
+    }
+  }
 
   /// A plain pass, then ones with trials of 1, 2, 4 .. splits, until not even the longest ones help, nor, in
   /// the end, smaller steps.
@@ -141,7 +150,8 @@ class Run {
   void tell() const {
     if (!options_.progress) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
-    options_.progress({pass_, improver_.count_bad(), improver_.work().count_tets(), seconds.count()});
+    options_.progress({pass_, improver_.count_above(options_.target_amips), improver_.work().count_tets(),
+                       seconds.count()});
   }
 
   Improver& improver_;

@@ -15,8 +15,6 @@ namespace {
 // Of a trial: how many operations may follow a split, and what it must gain.
 constexpr int longest_trial = 48;
 constexpr double trial_gain = 0.9;
-// Within this factor of what the surface forces, a tetrahedron is as good as it gets.
-constexpr double near_bound = 1.1;
 
 }  // namespace
 
@@ -68,6 +66,8 @@ Dart Improver::apply(const Candidate& c) {
 bool Improver::take(const Candidate& c) {
   if (!c) return false;
   Count& count = counts_[static_cast<std::size_t>(c.kind)];
+  Index face[4];
+  work_.mesh().vertices(c.dart, face);
   const Dart at = apply(c);
   if (at == no_dart) {
     ++count.refused[static_cast<std::size_t>(Why::legality)];
@@ -77,6 +77,9 @@ bool Improver::take(const Candidate& c) {
   ++done_;
   if (trying_ && c.kind == Kind::split) fresh_.push_back(work_.mesh().vertex(at));
   changed(at, c.surface);
+  // It splits an edge of the face on its way: what is around that has new numbers, though nothing else.
+  if (c.kind == Kind::face_swap)
+    for (const Index v : {face[0], face[1]}) changed(work_.mesh().dart_of(0, v), false);
   return true;
 }
 
@@ -279,6 +282,13 @@ std::size_t Improver::count_bad() const {
   return n;
 }
 
+std::size_t Improver::count_above(double amips) const {
+  std::size_t n = 0;
+  for (Index t = 0; t < work_.mesh().capacity(3); ++t)
+    n += work_.is_live(t) && work_.quality_of(t) > amips * amips * amips;
+  return n;
+}
+
 void Improver::push_bad() {
   for (Index t = 0; t < work_.mesh().capacity(3); ++t)
     if (work_.is_live(t)) push(t);
@@ -318,6 +328,15 @@ std::size_t Improver::pass(int trial_splits) {
     improve_bad(t, trial_splits);
   }
   return done_ - done;
+}
+
+void Improver::aim_at(double amips) {
+  limit_ = amips * amips * amips;
+  demand_.enough = limit_;
+  demand_.gain = Demand{}.gain;
+  demand_.sharp = false;
+  refusals_.forget();
+  asked_.clear();
 }
 
 bool Improver::take_smaller_steps() {

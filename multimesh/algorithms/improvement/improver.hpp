@@ -18,14 +18,19 @@ struct Badness {
   bool is_worse_than(const Badness& other) const;
 };
 
+/// Within this factor of what the surface forces, a tetrahedron is as good as it gets.
+inline constexpr double near_bound = 1.1;
+
 /// The loop over bad tetrahedra.
 class Improver {
  public:
   Improver(TetDomain& domain, const ImproveOptions& options);
 
-  /// Tetrahedra above the target.
+  /// Tetrahedra are bad from now on if their energy is above this.
+  void aim_at(double amips);
+  std::size_t count_above(double amips) const;
   std::size_t count_bad() const;
-  /// One pass over all tetrahedra above the target, worst first. Where nothing helps at once, that many
+  /// One pass over all bad tetrahedra, worst first. Where nothing helps at once, that many
   /// splits are tried that make things worse at first, and kept if what follows makes them better than
   /// before. \return how many operations were done
   std::size_t pass(int trial_splits);
