@@ -8,7 +8,6 @@
 #include <set>
 
 #include "adapters/io/weld.hpp"
-#include "adapters/tetgen/missed_bounds.hpp"
 #include "adapters/tetgen/naming.hpp"
 #include "adapters/tetgen/worker_error.hpp"
 #include "multimesh/error.hpp"
@@ -125,7 +124,6 @@ FilledSurface fill_surface(DomainFile& file, const tetgen::TetrahedralizeOptions
   try {
     tetgen::Tetrahedralization filled = tetgen::tetrahedralize(file.soup.points, triangles, options);
     file.warnings.insert(file.warnings.end(), filled.warnings.begin(), filled.warnings.end());
-    for (std::string& w : tetgen::missed_bounds(filled, options)) file.warnings.push_back(std::move(w));
     return with_names(std::move(filled), file);
   } catch (const tetgen::WorkerError& e) {
     throw InputError(name + ": " + e.what() + way_out(e));

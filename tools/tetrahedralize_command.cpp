@@ -13,7 +13,11 @@
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
 #ifdef MULTIMESH_WITH_TETGEN
+#include "adapters/tetgen/missed_bounds.hpp"
 #include "tools/fill_surface.hpp"
+#endif
+#ifdef MULTIMESH_WITH_IMPROVE
+#include "multimesh/algorithms/improve.hpp"
 #endif
 
 namespace multimesh::tools {
@@ -29,7 +33,7 @@ struct TetrahedralizeArguments {
   std::string keep = "winding";
   std::vector<std::string> regions, holes;
   DomainInputOptions taken;
-  bool split_surface = false, ascii = false, msh_2 = false, json = false;
+  bool split_surface = false, lock_surface = false, ascii = false, msh_2 = false, json = false;
 };
 
 constexpr const char* keep_names[] = {"winding", "even-odd", "all"};
@@ -62,13 +66,36 @@ void add_names(const std::vector<io::SimplexSoup::Group>& groups, Json& j) {
   }
 }
 
+/// TetGen takes the length as a volume; what is longer after that is split here.
+void split_longer(TetDomain& domain, double length, const TetrahedralizeArguments& a) {
+#ifdef MULTIMESH_WITH_IMPROVE
+  if (length > 0)
+    split_long_edges(domain, length, {.time_limit = 60 * a.minutes, .lock_surface = a.lock_surface});
+#else
+  (void)domain, (void)length, (void)a;
+#endif
+}
+
+/// What the mesh misses of the sizes that were asked for.
+std::vector<std::string> missed(const TetDomain& domain, const tetgen::TetrahedralizeOptions& options) {
+  TaggedTetrahedra t = domain.tagged();
+  tetgen::TetrahedraList mesh;
+  mesh.points = std::move(t.points);
+  mesh.tets = std::move(t.tets);
+  return tetgen::missed_bounds(mesh, t.triangles, options);
+}
+
 void run(const TetrahedralizeArguments& a) {
   check_output_path(a.output, {a.input});
-  DomainFile file = read_domain_input(a.input, a.taken, !a.split_surface);
+  const bool splits = a.split_surface || (!a.lock_surface && (a.length > 0 || a.relative_length > 0));
+  DomainFile file = read_domain_input(a.input, a.taken, !splits);
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
-  const FilledSurface filled = fill_surface(file, tetgen_options(a, file), a.weld);
-  const TetDomain domain(filled.tets, options);
+  const tetgen::TetrahedralizeOptions sizes = tetgen_options(a, file);
+  const FilledSurface filled = fill_surface(file, sizes, a.weld);
+  TetDomain domain(filled.tets, options);
+  split_longer(domain, sizes.edge_length, a);
+  for (std::string& w : missed(domain, sizes)) file.warnings.push_back(std::move(w));
   for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
   write_if_same_mesh(a.output, topology_of(filled.tets), domain, [&](const std::filesystem::path& path) {
     write_domain(path, domain, filled.groups, {a.ascii, a.msh_2, {true, true, true}}, file.warnings);
@@ -126,7 +153,9 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
       ->add_option("--feature-angle", a->feature_angle,
                    "edges at which the surface turns by at least this become curves; degrees in (0, 180)")
       ->check(CLI::Range(1e-6, 180.0));
-  auto* length = command->add_option("--edge-length", a->length, "bound of the edges, as a volume; a length")
+  auto* length = command
+                     ->add_option("--edge-length", a->length,
+                                  "longest edge, on the surface, too, unless that is locked; a length")
                      ->check(positive_number());
   command
       ->add_option("--relative-edge-length", a->relative_length,
@@ -149,7 +178,12 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
   command->add_option("--weld", a->weld, "points up to this far apart are one; a length")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_flag("--split-surface", a->split_surface, "new points may be put on the surface");
+  auto* split = command->add_flag("--split-surface", a->split_surface,
+                                  "TetGen may put new points on the surface, for quality");
+  command
+      ->add_flag("--lock-surface", a->lock_surface,
+                 "the surface keeps its triangles, also where their edges are longer than --edge-length")
+      ->excludes(split);
   command->add_option("--time-limit", a->minutes, "minutes")->check(positive_number())->capture_default_str();
   add_periodic_option(*command, a->taken);
   command->add_flag("--ascii", a->ascii, "text instead of binary, where the format has both");

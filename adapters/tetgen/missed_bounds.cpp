@@ -46,10 +46,12 @@ std::vector<Edge> edges_of(const TetrahedraList& mesh) {
   return edges;
 }
 
-std::string missed_length(const Tetrahedralization& mesh, const TetrahedralizeOptions& options) {
+std::string missed_length(const TetrahedraList& mesh, const FacetList& triangles,
+                          const TetrahedralizeOptions& options) {
   std::set<Edge> on_surface;
-  for (const SurfaceFace& face : mesh.faces)
-    for (std::size_t k = 0; k < 3; ++k) on_surface.insert(edge(face.corners[k], face.corners[(k + 1) % 3]));
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      on_surface.insert(edge(triangles.facet(f)[k], triangles.facet(f)[(k + 1) % 3]));
   const std::vector<Edge> edges = edges_of(mesh);
   std::size_t longer = 0, surface = 0;
   double longest = 0;
@@ -61,12 +63,9 @@ std::string missed_length(const Tetrahedralization& mesh, const TetrahedralizeOp
     longest = std::max(longest, l);
   }
   if (longer == 0) return {};
-  std::string sentence = text("edge length ", options.edge_length, " missed: ", longer, " of ", edges.size(),
-                              " edges are longer, ", surface, " of them on the surface; the longest is ",
-                              longest, ", ", longest / options.edge_length, " times the length");
-  if (surface > 0 && !options.split_surface)
-    sentence += "; the surface keeps its edges unless it may be split";
-  return sentence;
+  return text("edge length ", options.edge_length, " missed: ", longer, " of ", edges.size(),
+              " edges are longer, ", surface, " of them on the surface; the longest is ", longest, ", ",
+              longest / options.edge_length, " times the length");
 }
 
 /// In radians, the least of a tetrahedron.
@@ -114,10 +113,11 @@ struct Missed {
 
 }  // namespace
 
-std::vector<std::string> missed_bounds(const Tetrahedralization& mesh, const TetrahedralizeOptions& options) {
+std::vector<std::string> missed_bounds(const TetrahedraList& mesh, const FacetList& surface,
+                                       const TetrahedralizeOptions& options) {
   std::vector<std::string> sentences;
   if (options.edge_length > 0)
-    if (std::string s = missed_length(mesh, options); !s.empty()) sentences.push_back(std::move(s));
+    if (std::string s = missed_length(mesh, surface, options); !s.empty()) sentences.push_back(std::move(s));
   Missed volume, ratio, angle;
   const double degrees = 180 / std::numbers::pi;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {

@@ -186,4 +186,14 @@ ImproveResult improve(TetDomain& domain, const ImproveOptions& options) {
   return result;
 }
 
+std::size_t split_long_edges(TetDomain& domain, double longest, const ImproveOptions& options) {
+  using namespace improvement;
+  check_options(options);
+  if (!(longest > 0 && std::isfinite(longest)))
+    throw InputError("split_long_edges: the length must be finite and greater than 0");
+  Improver improver(domain, options);
+  check_input(improver.work());
+  return improver.split_longer(longest);
+}
+
 }  // namespace multimesh

@@ -120,4 +120,10 @@ struct ImproveResult {
 /// (2018), section 3.3
 ImproveResult improve(TetDomain& domain, const ImproveOptions& options = {});
 
+/// Splits all edges of a domain that are longer than this at their middle, the longest ones first, whatever
+/// becomes of the quality; those of surface and curves, too, unless the options lock them or forbid to split
+/// them. Topology, surface, curves and volumes are kept as by improve(). Of the options, those about what
+/// stays, and the time limit, count. \return how many were split. \throw InputError as improve() does
+std::size_t split_long_edges(TetDomain& domain, double longest, const ImproveOptions& options = {});
+
 }  // namespace multimesh

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "multimesh/algorithms/improve.hpp"
+#include "multimesh/error.hpp"
 #include "test/improve/made_domain.hpp"
 
 namespace multimesh {
@@ -39,6 +40,31 @@ TEST(ImproveOptions, RefinesToAnEdgeLength) {
   const std::vector<double> lengths = edge_lengths(domain);
   EXPECT_LE(lengths[lengths.size() * 9 / 10], 0.2 * 4 / 3 + 1e-12);
   EXPECT_EQ(kept.fault(domain), "");
+}
+
+TEST(SplitLongEdges, LeavesNoneAboveTheLength) {
+  Eigen::Matrix3d oblique;
+  oblique << 1, 0.3, -0.2, 0.1, 0.7, 0.4, -0.3, 0.2, 1.3;
+  for (const Eigen::Matrix3d& map : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), oblique})
+    for (const double length : {0.11, 0.3, 0.9}) {
+      TetDomain domain(make_box({.n = 2, .map = map, .squash = 0.9}).input);
+      const Kept kept(domain);
+      split_long_edges(domain, length);
+      EXPECT_LE(edge_lengths(domain).back(), length);
+      EXPECT_TRUE(test::all_positive(domain));
+      EXPECT_EQ(kept.fault(domain), "") << length;
+      EXPECT_EQ(split_long_edges(domain, length), 0U);
+    }
+}
+
+TEST(SplitLongEdges, LeavesWhatIsLocked) {
+  const Box box = make_box({.n = 2, .squash = 0.5});
+  TetDomain domain(box.input);
+  const Kept kept(domain);
+  EXPECT_GT(split_long_edges(domain, 0.4, {.lock_surface = true}), 0U);
+  EXPECT_EQ(domain.tagged().triangles.size(), box.input.triangles.size());
+  EXPECT_EQ(kept.fault(domain), "");
+  EXPECT_THROW(split_long_edges(domain, 0), InputError);
 }
 
 TEST(ImproveOptions, CoarsensToAnEdgeLength) {

@@ -75,7 +75,7 @@ TEST(Operations, InAStormKeepEverything) {
     Workspace work(domain, {});
     Counts counts{};
     Refusals refusals(1);
-  Candidates candidates(work, counts, refusals);
+    Candidates candidates(work, counts, refusals);
     std::mt19937 random(seed);
     std::array<int, n_kinds> done{};
     for (int i = 0; i < 3000; ++i) {

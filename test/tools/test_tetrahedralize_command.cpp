@@ -259,9 +259,31 @@ TEST_F(TetrahedralizeCommand, SolidsThatNearlyTouchAreWelded) {
   EXPECT_TRUE(contains(j["warnings"].dump(), "1 points are at the place of another one")) << j["warnings"];
 }
 
+TEST_F(TetrahedralizeCommand, MeetsTheEdgeLengthOnTheSurfaceToo) {
+  file("cube.obj", obj({{"", cube_at(0)}}));
+  file("two.stl", stl({{"left", cube_at(0)}, {"right", cube_at(1)}}));
+  std::vector<int> hollow(27, 1);
+  hollow[13] = 0;
+  file("hollow.stl", stl(Voxels(3, hollow)));
+  for (const char* in : {"cube.obj", "two.stl", "hollow.stl"}) {
+    const Json coarse = filled(in), fine = filled(in, {"--edge-length", "0.3"});
+    EXPECT_FALSE(contains(fine["warnings"].dump(), "missed")) << fine["warnings"];
+    EXPECT_GT(fine["surface"]["faces"], coarse["surface"]["faces"]) << in;
+    ASSERT_EQ(fine["regions"].size(), coarse["regions"].size()) << in;
+    for (std::size_t i = 0; i < fine["regions"].size(); ++i) {
+      const Json &now = fine["regions"][i], &before = coarse["regions"][i];
+      EXPECT_EQ(now["tag"], before["tag"]) << in;
+      EXPECT_NEAR(now["volume"].get<double>(), before["volume"].get<double>(), 1e-12) << in;
+    }
+    ASSERT_EQ(fine["patches"].size(), coarse["patches"].size()) << in;
+    for (std::size_t i = 0; i < fine["patches"].size(); ++i)
+      EXPECT_EQ(fine["patches"][i]["tag"], coarse["patches"][i]["tag"]) << in;
+  }
+}
+
 TEST_F(TetrahedralizeCommand, TellsSizesThatAreMissed) {
   file("cube.obj", obj({{"", cube_at(0)}}));
-  const Json kept = filled("cube.obj", {"--edge-length", "0.2"});
+  const Json kept = filled("cube.obj", {"--edge-length", "0.2", "--lock-surface"});
   EXPECT_TRUE(contains(kept["warnings"].dump(), "edge length 0.2 missed: ")) << kept["warnings"];
   EXPECT_TRUE(contains(kept["warnings"].dump(), "18 of them on the surface")) << kept["warnings"];
   EXPECT_EQ(filled("cube.obj", {"--edge-length", "3"})["warnings"], Json::array());

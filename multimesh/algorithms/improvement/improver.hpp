@@ -39,6 +39,11 @@ class Improver {
   /// Refines around all bad tetrahedra, whatever comes of it at first, and makes passes on the result. All is
   /// undone unless the mesh gets better.
   bool refine_and_improve();
+  /// Splits edges above this length, the longest ones first; quality counts only if it was good enough.
+  /// \return how many
+  std::size_t split_longer(double longest, const Demand& demand);
+  /// Splits all edges above this length at their middle, whatever becomes of the quality.
+  std::size_t split_longer(double longest);
   /// Splits edges that are too long, and collapses short ones. \return how many
   /// \param first quality does not matter for the splits yet
   std::size_t resize(bool first);

@@ -45,21 +45,30 @@ std::size_t Improver::sweep_edges(const Excess& excess, const Apply& apply) {
   return done_ - done;
 }
 
+// The longest edge around goes first (Rivara 1984): bisecting others beside one that must stay never ends.
+std::size_t Improver::split_longer(double longest, const Demand& demand) {
+  return sweep_edges([&](double length) { return length / longest; },
+                     [&](Index t, Dart) {
+                       Candidate split;
+                       candidates_.split(longest_edge_near(t), demand, split);
+                       return take(split);
+                     });
+}
+
+std::size_t Improver::split_longer(double longest) {
+  Demand demand = daring();
+  demand.gain = 1;
+  demand.in_middle = true;
+  return split_longer(longest, demand);
+}
+
 std::size_t Improver::resize(bool first) {
   const double longest = options_.edge_length * 4 / 3, shortest = options_.edge_length * 4 / 5;
   Demand demand = demand_;
   demand.gain = 1;
-  demand.remember = false;
-  demand.enough = first ? flat : limit_;
-  demand.in_middle = first;
-  // The longest edge around goes first (Rivara 1984): bisecting others beside one that must stay never ends.
-  std::size_t n = sweep_edges([&](double length) { return length / longest; },
-                              [&](Index t, Dart) {
-                                Candidate split;
-                                candidates_.split(longest_edge_near(t), demand, split);
-                                return take(split);
-                              });
   demand.enough = limit_;
+  demand.remember = false;
+  std::size_t n = first ? split_longer(longest) : split_longer(longest, demand);
   demand.longest = demand_.longest = longest;
   n += sweep_edges([&](double length) { return shortest / length; },
                    [&](Index, Dart e) {
