@@ -209,6 +209,28 @@ TEST(ImproveOptions, KeepsRegionsAndTheBoundaryThatAreInNoSurface) {
   EXPECT_EQ(kept.fault(domain), "");
 }
 
+// The wedge between two sides of a prism forces a bad tetrahedron, whatever is done.
+TEST(ImproveOptions, EndsByItselfNearTheBoundWhereTheTargetIsImpossible) {
+  for (const double height : {0.05, 0.01}) {
+    TaggedTetrahedra prism;
+    prism.points = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, height}, {1, 1, height}};
+    prism.tets.corners = {0, 1, 3, 5, 0, 3, 2, 5, 0, 2, 4, 5};
+    for (std::size_t t = 0; t < prism.tets.corners.size(); t += 4) {
+      const auto at = [&](std::size_t i) { return Vec3(prism.points[prism.tets.corners[t + i]].data()); };
+      if ((at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)) < 0)
+        std::swap(prism.tets.corners[t], prism.tets.corners[t + 1]);
+    }
+    prism.tets.vertices = 6;
+    TetDomain domain(prism);
+    const Kept kept(domain);
+    const ImproveResult r = improve(domain, {.max_passes = 1000});
+    EXPECT_GT(r.least_max_amips, 10);
+    EXPECT_LE(r.after.max_amips, 1.25 * r.least_max_amips) << height;
+    EXPECT_LE(r.after.tets, 5500U) << height;
+    EXPECT_EQ(kept.fault(domain), "") << height;
+  }
+}
+
 TEST(ImproveOptions, NoPassesMeansNoChange) {
   TetDomain domain(make_box({.squash = 0.999}).input);
   const TaggedTetrahedra before = domain.tagged();

@@ -2,7 +2,9 @@
 // The single operations: what is predicted is what comes out, and what must be refused is.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
+#include <set>
 
 #include "multimesh/algorithms/improvement/candidates.hpp"
 #include "multimesh/algorithms/improvement/exact_place.hpp"
@@ -91,6 +93,48 @@ TEST(Operations, InAStormKeepEverything) {
     EXPECT_EQ(kept.fault(domain), "") << seed;
     for (const int n : done) EXPECT_GT(n, 10) << seed;
   }
+}
+
+/// The live tetrahedra by number, each with its corners.
+std::map<Index, std::set<Index>> numbered(const Workspace& work) {
+  std::map<Index, std::set<Index>> tets;
+  for (Index t = 0; t < work.mesh().capacity(3); ++t) {
+    if (!work.is_live(t)) continue;
+    const Corners c = work.corners(t);
+    tets[t] = {c.begin(), c.end()};
+  }
+  return tets;
+}
+
+// What remembers tetrahedra by their numbers relies on this.
+TEST(Operations, OfFacesRenumberAroundTheFirstTwoCornersOnly) {
+  TetDomain domain(make_box({.squash = 0.9}).input);
+  Workspace work(domain, {});
+  Counts counts{};
+  Refusals refusals(1);
+  Candidates candidates(work, counts, refusals);
+  int done = 0;
+  for (Index t = 0; t < work.mesh().capacity(3); ++t) {
+    if (!work.is_live(t)) continue;
+    Candidate c;
+    Demand any;
+    any.enough = flat;
+    candidates.face_swap(tet::TetMesh::dart(t, {}), any, c);
+    if (!c) continue;
+    const std::map<Index, std::set<Index>> before = numbered(work);
+    Index face[4];
+    work.mesh().vertices(c.dart, face);
+    const Dart at = do_it(work, c);
+    if (at == no_dart) continue;
+    ++done;
+    for (const auto& [number, corners] : numbered(work)) {
+      const auto old = before.find(number);
+      if (old != before.end() && old->second == corners) continue;
+      EXPECT_TRUE(corners.contains(work.mesh().vertex(at)) || corners.contains(face[0]) ||
+                  corners.contains(face[1]));
+    }
+  }
+  EXPECT_GT(done, 20);
 }
 
 TEST(Operations, GiveWhatWasPredicted) {
