@@ -20,8 +20,8 @@ class UsageError : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// A mesh of a tree was edited by other means than the operations of the tree, and an operation has come to where
-/// it was. Nothing was changed when it is thrown. MultiMesh::resync() may put it right.
+/// A mesh of a tree was edited by other means than the operations of the tree, and an operation has come to
+/// where it was. Nothing was changed when it is thrown. MultiMesh::resync() may put it right.
 class OutOfStepError : public UsageError {
  public:
   using UsageError::UsageError;

@@ -172,6 +172,26 @@ bool Legality::no_gluing(const MultiMesh& tree, const Copies& copies, std::uint3
   return true;
 }
 
+namespace {
+
+// False where no label can be new on one side: what has a label has it at its vertices, and one that all
+// facets over the edge have is on the simplices in between, too.
+template <class Covered>
+bool may_touch(const Mesh& mesh, Dart a, Dart b, const DartBuffer& over, std::span<const NodeId> children,
+               const Covered& covered) {
+  const int d = mesh.dimension();
+  bool any_a = mesh.is_boundary(a, 0), any_b = mesh.is_boundary(b, 0);
+  for (const NodeId child : children) {
+    if (any_a && any_b) break;
+    if (std::all_of(over.begin(), over.end(), [&](Dart t) { return covered(t, d, child); })) continue;
+    any_a = any_a || covered(a, 0, child);
+    any_b = any_b || covered(b, 0, child);
+  }
+  return any_a && any_b;
+}
+
+}  // namespace
+
 // C: with labels(s) the children whose image contains s, and one more on the boundary, for s = e and each
 // s = e*x the labels of one of its two sides a*.., b*.. must be among its own.
 bool Legality::no_contact(const MultiMesh& tree, const Copies& copies, std::uint32_t i,
@@ -193,10 +213,13 @@ bool Legality::no_contact(const MultiMesh& tree, const Copies& copies, std::uint
       compare([&](Dart d, int j) { return tree.is_covered(e.node, d, j, child); });
     return extra_a && extra_b;
   };
-  bool touches = new_contact(e.dart, mesh.reorder(e.dart, exchange_ends), e.dart, 0);
   const int d = mesh.dimension();
+  const Dart at_b = mesh.reorder(e.dart, exchange_ends);
+  mesh.star(e.dart, 1, star_);
+  const auto covered = [&](Dart t, int k, NodeId child) { return tree.is_covered(e.node, t, k, child); };
+  if (!may_touch(mesh, e.dart, at_b, star_, children, covered)) return true;
+  bool touches = new_contact(e.dart, at_b, e.dart, 0);
   if (!touches && d > 1) {
-    mesh.star(e.dart, 1, star_);
     for (const Dart t : star_)  // (a, b, x, ..)
       for (int k = 1; k < d && !touches; ++k)
         for (const Permutation p : faces_around(d, k + 1, 1)) {

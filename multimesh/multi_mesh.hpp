@@ -52,7 +52,11 @@ class MultiMesh {
   Mesh& mesh(NodeId n) { return *node(n).mesh; }
   bool contains(NodeId n) const noexcept { return index(n) < nodes_.size() && nodes_[index(n)].mesh; }
   /// \throw UsageError for the root
-  NodeId parent(NodeId n) const;
+  NodeId parent(NodeId n) const {
+    if (n == NodeId::root) [[unlikely]]
+      refuse_root();
+    return node(n).parent;
+  }
   std::span<const NodeId> children(NodeId n) const { return node(n).children; }
   /// All meshes below n, parents before children.
   std::span<const NodeId> descendants(NodeId n) const { return node(n).descendants; }
@@ -124,6 +128,7 @@ class MultiMesh {
   friend class Propagation;
   friend class Legality;
   friend class Copies;
+  friend class FacetCopies;
 
   struct Node {
     std::unique_ptr<Mesh> mesh;
@@ -135,6 +140,8 @@ class MultiMesh {
 
   MultiMesh() = default;
   [[noreturn]] static void refuse_node(NodeId n);
+  [[noreturn]] static void refuse_root();
+  [[noreturn]] static void refuse_dart(NodeId n, Dart d);
   const Node& node(NodeId n) const {
     if (!contains(n)) [[unlikely]]
       refuse_node(n);
@@ -146,6 +153,11 @@ class MultiMesh {
   void preimages(NodeId child, Dart d, int k, DartBuffer& out) const;
   void preimages_below(NodeId from, Dart d, int k, NodeId descendant, DartBuffer& out) const;
   bool is_covered(NodeId from, Dart d, int k, NodeId descendant) const;
+  // What is not alive cannot be walked from. Whether others have edited the mesh is not asked here.
+  void require_live(NodeId n, Dart d) const {
+    if (!mesh(n).is_dart(d)) [[unlikely]]
+      refuse_dart(n, d);
+  }
   void require_simplex(NodeId n, Dart d, int k) const;
   void require_below(NodeId descendant, NodeId ancestor) const;
 
@@ -177,6 +189,20 @@ class MultiMesh {
   bool operating_ = false;        // inside an operation of a Propagation
   std::string lost_;              // what resync() could not follow
   mutable DartBuffer star_;
+};
+
+/// MultiMesh::facet_copy() for loops: what the tree is asked is looked up once, and darts are not checked.
+/// Valid as long as the child stays in the tree.
+class FacetCopies {
+ public:
+  FacetCopies(const MultiMesh& tree, NodeId child);
+  /// \pre d is a dart of the parent's mesh, and alive
+  Dart operator()(Dart d) const;
+
+ private:
+  const Mesh* above_;
+  const Mesh* below_;
+  Mesh::LinkSet links_;
 };
 
 }  // namespace multimesh

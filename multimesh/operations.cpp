@@ -38,7 +38,8 @@ Propagation& Propagation::set(LegalityOptions o) {
 void Propagation::require_sizes() {
   const bool renumbered = renumberings_ != tree_.renumberings_;
   for (const Attribute* a : attributes_)
-    if (tree_.contains(a->node())) a->require_size(a->slots(tree_.mesh(a->node())), renumbered);
+    if (tree_.contains(a->node()))
+      a->require_size(a->slots(*tree_.nodes_[index(a->node())].mesh), renumbered);
   renumberings_ = tree_.renumberings_;
 }
 
@@ -94,8 +95,9 @@ Refusal Propagation::ask(bool (Invariant::*when)(const Event&), const Event& eve
 }
 
 void Propagation::update_attributes(const Event& event) {
-  const bool may_grow = event.operation == Operation::split || event.operation == Operation::flip;
-  if (may_grow || protect_properties_)
+  const bool all_may_grow = event.operation == Operation::split || protect_properties_;
+  const bool edges_may_grow = has_columns_ && event.operation == Operation::flip;
+  if (all_may_grow || edges_may_grow)
     for (Attribute* a : attributes_)
       if (tree_.contains(a->node())) a->grow(a->slots(tree_.mesh(a->node())));
   for (const VertexChange& c : changes_)

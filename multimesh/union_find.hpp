@@ -17,7 +17,10 @@ class UnionFind {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void join(Index i, Index j) { parent_[std::max(find(i), find(j))] = std::min(find(i), find(j)); }
+  void join(Index i, Index j) {
+    i = find(i), j = find(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
 
  private:
   std::vector<Index> parent_;

@@ -25,8 +25,11 @@ class FaceCleaner {
 
   /// Removes repeated corners; a collapsed face keeps its place, with no corners.
   void corners() {
-    std::uint32_t end = 0, first = 0;
-    for (std::size_t f = 0; f < total_; ++f) {
+    std::size_t f = 0;
+    while (f < total_ && is_clean(soup_.face(f))) ++f;
+    if (f == total_) return;
+    std::uint32_t end = soup_.face_begin[f], first = end;
+    for (; f < total_; ++f) {
       const std::uint32_t begin = end, last = soup_.face_begin[f + 1];
       for (std::uint32_t i = first; i < last; ++i) {
         const Corner c = soup_.corners[i];
@@ -113,8 +116,15 @@ class FaceCleaner {
     return corners;
   }
 
+  bool is_clean(std::span<const Corner> face) const {
+    if (face.size() == 3) return face[0].v != face[1].v && face[1].v != face[2].v && face[2].v != face[0].v;
+    for (std::size_t i = 0; i < face.size(); ++i)
+      if (face[i].v == face[(i + 1) % face.size()].v) return false;
+    return has_three_vertices(face);
+  }
+
   std::uint32_t keep_or_collapse(std::size_t f, std::uint32_t begin, std::uint32_t end, std::uint32_t size) {
-    if (!has_three_vertices(begin, end)) {
+    if (!has_three_vertices({soup_.corners.data() + begin, end - begin})) {
       collapsed_.add(f);
       return begin;
     }
@@ -124,11 +134,10 @@ class FaceCleaner {
   }
 
   /// No two consecutive corners are equal: three corners are enough; with more, look for a third vertex.
-  bool has_three_vertices(std::uint32_t begin, std::uint32_t end) const {
-    if (end - begin <= 3) return end - begin == 3;
-    const std::int32_t a = soup_.corners[begin].v, b = soup_.corners[begin + 1].v;
-    return std::any_of(soup_.corners.begin() + begin, soup_.corners.begin() + end,
-                       [&](const Corner& c) { return c.v != a && c.v != b; });
+  static bool has_three_vertices(std::span<const Corner> face) {
+    if (face.size() <= 3) return face.size() == 3;
+    const std::int32_t a = face[0].v, b = face[1].v;
+    return std::ranges::any_of(face, [&](const Corner& c) { return c.v != a && c.v != b; });
   }
 
   /// Twice the vector area against the rounding errors of a product of two of its lengths.

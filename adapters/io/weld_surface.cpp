@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "adapters/io/repeated_faces.hpp"
 #include "adapters/io/soup_check.hpp"
@@ -53,11 +54,12 @@ class CornerValues {
 
 class SurfaceWeld {
  public:
-  SurfaceWeld(PolygonSoup& soup, double tolerance)
+  /// `place`: see coincident_points()
+  SurfaceWeld(PolygonSoup& soup, std::vector<std::uint32_t> place)
       : soup_(soup),
         texcoords_(soup, soup.texcoords, &Corner::vt),
         normals_(soup, soup.normals, &Corner::vn),
-        place_(coincident_points(soup.positions, tolerance)),
+        place_(std::move(place)),
         layer_(soup.positions.size(), 0) {}
 
   SurfaceWeldReport run() {
@@ -218,11 +220,20 @@ class SurfaceWeld {
   SurfaceWeldReport report_;
 };
 
+bool any_coincident(const std::vector<std::uint32_t>& place) {
+  for (std::size_t v = 0; v < place.size(); ++v)
+    if (place[v] != v) return true;
+  return false;
+}
+
 }  // namespace
 
 SurfaceWeldReport weld_surface(PolygonSoup& soup, const SurfaceWeldOptions& options, std::string_view file) {
   SurfaceWeldReport report;
-  if (options.positions) report = SurfaceWeld(soup, options.tolerance).run();
+  if (options.positions) {
+    std::vector<std::uint32_t> place = coincident_points(soup.positions, options.tolerance);
+    if (any_coincident(place)) report = SurfaceWeld(soup, std::move(place)).run();
+  }
   if (report.welded != 0) remove_collapsed_faces(soup, file);
   weld_texcoords(soup, options.texcoord_tolerance, report);
   return report;

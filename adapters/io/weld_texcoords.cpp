@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace multimesh::io {
 namespace {
@@ -24,23 +25,47 @@ class TexcoordWeld {
       : soup_(soup), tolerance_(tolerance), report_(report) {}
 
   void run() {
+    if (!find_several()) return;
     sort_corners();
     std::vector<std::int32_t> joined(soup_.corners.size());
     for (std::size_t c = 0; c < joined.size(); ++c) joined[c] = soup_.corners[c].vt;
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) vertex(v, joined);
+    for (std::size_t v = 0; v + 1 < begin_.size(); ++v)
+      if (begin_[v] != begin_[v + 1]) vertex(v, joined);
+    if (!any_joined_) return;
     for (std::size_t f = 0; f < soup_.face_count(); ++f) take(f, joined);
   }
 
  private:
-  /// Corners by vertex: those of v are [begin_[v], begin_[v+1]).
+  /// Vertices whose corners name several coordinates; at most others all name one.
+  bool find_several() {
+    std::vector<std::int32_t> first(soup_.positions.size(), -1);
+    several_.assign(first.size(), 0);
+    bool any = false;
+    for (const auto& c : soup_.corners) {
+      if (c.vt < 0) continue;
+      std::int32_t& known = first[static_cast<std::size_t>(c.v)];
+      if (known == c.vt) continue;
+      if (known < 0) {
+        known = c.vt;
+        ++report_.textured_vertices;
+      } else {
+        several_[static_cast<std::size_t>(c.v)] = 1;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  /// Corners by vertex, where it has several coordinates: those of v are [begin_[v], begin_[v+1]).
   void sort_corners() {
-    begin_.assign(soup_.positions.size() + 1, 0);
-    for (const auto& c : soup_.corners) ++begin_[static_cast<std::size_t>(c.v) + 1];
-    for (std::size_t v = 1; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
-    order_.resize(soup_.corners.size());
+    const auto v = [&](std::size_t c) { return static_cast<std::size_t>(soup_.corners[c].v); };
+    begin_.assign(several_.size() + 1, 0);
+    for (std::size_t c = 0; c < soup_.corners.size(); ++c) begin_[v(c) + 1] += several_[v(c)];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    order_.resize(begin_.back());
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t c = 0; c < order_.size(); ++c)
-      order_[next[static_cast<std::size_t>(soup_.corners[c].v)]++] = c;
+    for (std::uint32_t c = 0; c < soup_.corners.size(); ++c)
+      if (several_[v(c)]) order_[next[v(c)]++] = c;
   }
 
   const Uv& value(std::int32_t vt) const { return soup_.texcoords[static_cast<std::size_t>(vt)]; }
@@ -56,13 +81,13 @@ class TexcoordWeld {
       const auto [nearest, d] = nearest_kept(vt);
       if (nearest >= 0 && d <= tolerance_) {
         // Equal values are one anyway, and may have numbers of their own on purpose.
-        joined[order_[i]] = d == 0 ? vt : nearest;
+        if (d != 0) joined[order_[i]] = nearest;
+        any_joined_ |= d != 0;
       } else {
         kept_.push_back(vt);
         if (nearest >= 0 && d < near) farthest = std::max(farthest, d);
       }
     }
-    report_.textured_vertices += !kept_.empty();
     if (farthest == 0) return;
     ++report_.near_texcoords;
     report_.near_texcoord_distance = std::max(report_.near_texcoord_distance, farthest);
@@ -107,7 +132,9 @@ class TexcoordWeld {
   PolygonSoup& soup_;
   double tolerance_;
   SurfaceWeldReport& report_;
+  std::vector<std::uint8_t> several_;  ///< per vertex, whether its corners name several
   std::vector<std::uint32_t> begin_, order_;
+  bool any_joined_ = false;
   std::vector<std::int32_t> kept_;
 };
 

@@ -49,7 +49,7 @@ void Connectivity::find_data_of_default_traits() {
 
 // By names, as OpenMesh and we give them: its own access to the status compares the names of types first,
 // each time. Comparisons of a fixed size need no call.
-bool Connectivity::is_carried(const OpenMesh::BaseProperty& property) const {
+inline bool Connectivity::is_carried(const OpenMesh::BaseProperty& property) const {
   if (&property == no_data_[0] || &property == no_data_[1]) return false;
   const std::string& name = property.name();
   if (name.size() > 3 && std::memcmp(name.data(), "mm:", 3) == 0) return false;
@@ -71,10 +71,15 @@ void Connectivity::for_each_halfedge_property(const Visit& visit) const {
     if (*p && is_carried(**p)) visit(**p);
 }
 
-bool Connectivity::has_values(int k) const {
-  bool any = false;
-  if (k == 1 && dimension() == 2) for_each_edge_property([&](const auto&) { any = true; });
+Connectivity::Carried Connectivity::what_is_carried() const {
+  Carried any{false, false};
+  for_each_edge_property([&](const auto&) { any.by_edges = true; });
+  for_each_halfedge_property([&](const auto&) { any.by_halfedges = true; });
   return any;
+}
+
+bool Connectivity::has_values(int k) const {
+  return k == 1 && dimension() == 2 && what_is_carried().by_edges;
 }
 
 void Connectivity::exchange_edge_values(int kept, int dying) {
@@ -83,9 +88,6 @@ void Connectivity::exchange_edge_values(int kept, int dying) {
 }
 
 void Connectivity::exchange_halfedge_values(int kept, int dying) {
-  bool any = false;
-  for_each_halfedge_property([&](const auto&) { any = true; });
-  if (!any) return;
   log(Word::halfedge_values, static_cast<std::uint32_t>(kept), static_cast<std::uint32_t>(dying));
   exchange(log_.back());
 }
@@ -104,11 +106,12 @@ void Connectivity::exchange(const Entry& e) {
 
 void Connectivity::renew_edge(int halfedge, int like, int opposite_like) {
   const int e = halfedge >> 1;
-  log(Word::edge_status, static_cast<std::uint32_t>(e), (*edge_status_)[at(e)].bits());
-  write_edge_status(static_cast<std::uint32_t>(e), 0);
-  bool any = has_values(1);
-  for_each_halfedge_property([&](const auto&) { any = true; });
-  if (!any) return;
+  if (const unsigned bits = (*edge_status_)[at(e)].bits(); bits != 0) {
+    log(Word::edge_status, static_cast<std::uint32_t>(e), bits);
+    write_edge_status(static_cast<std::uint32_t>(e), 0);
+  }
+  const Carried any = what_is_carried();
+  if (!any.by_edges && !any.by_halfedges) return;
   log(Word::renewed, static_cast<std::uint32_t>(e), static_cast<std::uint32_t>(make_spare(1)));
   exchange(log_.back());
   for_each_halfedge_property([&](OpenMesh::BaseProperty& p) {
@@ -118,9 +121,10 @@ void Connectivity::renew_edge(int halfedge, int like, int opposite_like) {
 }
 
 void Connectivity::unite_edge_flags(int kept, int other) {
-  const unsigned bits = (*edge_status_)[at(kept)].bits();
-  const unsigned more = (*edge_status_)[at(other)].bits() & flags & ~bits;
+  const unsigned more = (*edge_status_)[at(other)].bits() & flags;
   if (more == 0) return;
+  const unsigned bits = (*edge_status_)[at(kept)].bits();
+  if ((more & ~bits) == 0) return;
   log(Word::edge_status, static_cast<std::uint32_t>(kept), bits);
   write_edge_status(static_cast<std::uint32_t>(kept), bits | more);
 }

@@ -100,6 +100,11 @@ class Connectivity : public Mesh {
   void copy_edge_properties(int from_halfedge, int to_halfedge);    // and those of both halfedges
   void copy_corner_properties(int from_halfedge, int to_halfedge);  // of these halfedges alone
   void copy_face_properties(int from, int to);
+  /// Whether there are properties that are carried through operations.
+  struct Carried {
+    bool by_edges, by_halfedges;
+  };
+  Carried what_is_carried() const;
   // Exchanged with those of an element that dies, so that they can come back.
   void exchange_edge_values(int kept, int dying);
   void exchange_halfedge_values(int kept, int dying);
@@ -146,6 +151,26 @@ class Connectivity : public Mesh {
     std::uint32_t index;
     std::uint32_t old;
   };
+  /// A stack. Every write goes through push(), so it grows out of line.
+  class Journal {
+   public:
+    std::size_t size() const noexcept { return static_cast<std::size_t>(end_ - entries_.data()); }
+    bool empty() const noexcept { return end_ == entries_.data(); }
+    const Entry& back() const { return end_[-1]; }
+    void push(const Entry& e) {
+      if (end_ == limit_) [[unlikely]]
+        grow();
+      *end_++ = e;
+    }
+    void pop() noexcept { --end_; }
+    void clear() noexcept { end_ = entries_.data(); }
+
+   private:
+    void grow();
+    std::vector<Entry> entries_;
+    Entry* end_ = entries_.data();
+    const Entry* limit_ = end_;
+  };
   struct Links {
     int k = 0;
     OpenMesh::VPropHandleT<Index> vertices;
@@ -156,7 +181,7 @@ class Connectivity : public Mesh {
   };
 
   void log(Word word, std::uint32_t index, std::uint32_t old, LinkSet column = 0) {
-    log_.push_back({word, column, index, old});
+    log_.push({word, column, index, old});
   }
   void log_counts();
   int named(int k, int element);
@@ -186,7 +211,7 @@ class Connectivity : public Mesh {
 
   std::unique_ptr<OpenMesh::PolyConnectivity> owned_;
   Attachment attachment_;
-  std::vector<Entry> log_;
+  Journal log_;
   // Dead elements that hold the protected properties of live ones: OpenMesh's property base class can copy
   // between the elements of a mesh only.
   std::vector<int> spares_[3];

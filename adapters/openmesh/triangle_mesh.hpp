@@ -69,7 +69,7 @@ class TriangleMesh final : public Connectivity {
   Dart dart_at(int v) const;
   bool common_neighbours_span_facets(int h) const;
   int find_halfedge(int from, int to) const;
-  void merge_sides(int kept, int dying, int x, const Merging& merging);
+  void merge_sides(int kept, int dying, int x, Carried carried, const Merging& merging);
   void close_loop(int kept, int dying);
   int outgoing_after_collapse(int h) const;
 };

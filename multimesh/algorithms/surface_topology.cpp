@@ -18,17 +18,17 @@ class Joined {
   explicit Joined(const TexturedSurface& s)
       : surface_(s),
         root_(s.tree().mesh(NodeId::root)),
+        has_copies_(s.cut_report().copied_vertices > 0),
         one_of_(root_.capacity(0), no_index),
         pieces_(root_.capacity(0)),
         rim_(root_.capacity(0)),
         on_rim_(root_.capacity(0), false) {}
 
   SurfaceTopology run() {
-    join_copies();
-    for (Index e = 0; e < root_.capacity(1); ++e)
-      if (root_.is_live(1, e)) add(root_.dart_of(1, e));
+    add_faces();
+    for (Index e = 0, end = root_.capacity(1); e < end; ++e)
+      if (root_.is_live(1, e)) add_edge(root_.dart_of(1, e));
     add_shared_edges();
-    for (Index f = 0; f < root_.capacity(2); ++f) result_.faces += root_.is_live(2, f);
     for (Index v = 0; v < one_of_.size(); ++v) {
       if (one_of_[v] != v) continue;
       ++result_.vertices;
@@ -46,31 +46,39 @@ class Joined {
     int faces;
   };
 
-  /// Copies at one place get the number of the first of them; vertices without a face, none.
-  void join_copies() {
-    std::unordered_map<std::array<std::uint64_t, 4>, Index, ArrayHash> first;
-    for (Index f = 0; f < root_.capacity(2); ++f) {
+  void add_faces() {
+    std::array<Index, 4> v{};
+    for (Index f = 0, end = root_.capacity(2); f < end; ++f) {
       if (!root_.is_live(2, f)) continue;
-      std::array<Index, 4> corners{};
-      root_.vertices(root_.dart_of(2, f), corners.data());
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Index v = corners[i];
-        if (one_of_[v] != no_index) continue;
-        const auto& p = surface_.positions()[v];
-        const auto bits = [&](std::size_t k) { return std::bit_cast<std::uint64_t>(p[k]); };
-        one_of_[v] = !surface_.is_copy(v)
-                         ? v
-                         : first.try_emplace({surface_.source_positions()[v], bits(0), bits(1), bits(2)}, v)
-                               .first->second;
-      }
+      ++result_.faces;
+      root_.vertices(root_.dart_of(2, f), v.data());
+      for (std::size_t i = 0; i < 3; ++i)
+        if (one_of_[v[i]] == no_index) one_of_[v[i]] = first_at_place(v[i]);
+      pieces_.join(one_of_[v[0]], one_of_[v[1]]);
+      pieces_.join(one_of_[v[1]], one_of_[v[2]]);
     }
   }
 
-  void add(Dart e) {
+  /// Copies at one place get the number of the first of them.
+  Index first_at_place(Index v) {
+    if (!is_copy(v)) return v;
+    const auto& p = surface_.positions()[v];
+    const auto bits = [&](std::size_t k) { return std::bit_cast<std::uint64_t>(p[k]); };
+    return first_copy_.try_emplace({surface_.source_positions()[v], bits(0), bits(1), bits(2)}, v)
+        .first->second;
+  }
+
+  bool is_copy(Index v) const { return has_copies_ && surface_.is_copy(v); }
+
+  void add_edge(Dart e) {
+    const int faces = root_.is_boundary(e, 1) ? 1 : 2;
+    if (faces == 2 && !has_copies_) {
+      ++result_.edges;
+      return;
+    }
     const Index v = root_.vertex(e), w = root_.vertex(root_.switch_dart(e, 0));
-    const Edge edge{std::min(one_of_[v], one_of_[w]), std::max(one_of_[v], one_of_[w]),
-                    root_.is_boundary(e, 1) ? 1 : 2};
-    if (surface_.is_copy(v) || surface_.is_copy(w))
+    const Edge edge{std::min(one_of_[v], one_of_[w]), std::max(one_of_[v], one_of_[w]), faces};
+    if (is_copy(v) || is_copy(w))
       may_be_shared_.push_back(edge);
     else
       add(edge);
@@ -79,7 +87,6 @@ class Joined {
   void add(const Edge& e) {
     ++result_.edges;
     result_.crowded_edges += e.faces > 2;
-    pieces_.join(e.a, e.b);
     if (e.faces != 1) return;
     on_rim_[e.a] = on_rim_[e.b] = true;
     rim_.join(e.a, e.b);
@@ -103,7 +110,7 @@ class Joined {
     const auto& values = surface_.texcoords(set);
     DartBuffer sides;
     std::size_t closed = 0;  // both sides are counted
-    for (Index e = 0; e < texture.capacity(1); ++e) {
+    for (Index e = 0, end = texture.capacity(1); e < end; ++e) {
       if (!texture.is_live(1, e) || !texture.is_boundary(texture.dart_of(1, e), 1)) continue;
       sides.clear();
       surface_.tree().to_child(node, surface_.tree().to_parent(node, texture.dart_of(1, e)), 1, sides);
@@ -119,7 +126,9 @@ class Joined {
 
   const TexturedSurface& surface_;
   const Mesh& root_;
-  std::vector<Index> one_of_;  // per vertex: the one that stands for it
+  bool has_copies_;
+  std::vector<Index> one_of_;  // per vertex: the one that stands for it; no_index: it has no face
+  std::unordered_map<std::array<std::uint64_t, 4>, Index, ArrayHash> first_copy_;
   UnionFind pieces_, rim_;
   std::vector<bool> on_rim_;
   std::vector<Edge> may_be_shared_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/textured_triangles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -44,30 +45,53 @@ void check_texcoords(const TexturedTriangles& input, std::size_t set, std::size_
                      " has texture coordinates on some corners only; give all three or none");
 }
 
-void check_texcoord_size(const TexturedTriangles& input, std::size_t set, std::size_t t) {
-  constexpr double most = CoordinateRange::largest_coordinate;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::int32_t vt = input.texcoord(set, t, i);
-    if (vt < 0) continue;
-    const OpenMesh::Vec2d& p = input.texcoords_of(set)[static_cast<std::size_t>(vt)];
-    if (!(std::abs(p[0]) <= most && std::abs(p[1]) <= most))
-      throw InputError("triangle " + std::to_string(t) +
-                       " (from 0) has a texture coordinate that is too large, or not a number; correct it");
-  }
+constexpr double most = CoordinateRange::largest_coordinate;
+
+template <class Point>
+bool is_small(const Point& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) <= most; });
+}
+
+/// Of the whole list, whether triangles use it or not: far cheaper than to ask corner by corner.
+template <class Point>
+bool all_small(const std::vector<Point>& points) {
+  return std::all_of(points.begin(), points.end(), is_small<Point>);
+}
+
+/// The first triangles tell, but of a model that is tiny.
+bool has_extent(const TexturedTriangles& input) {
+  return std::any_of(input.triangles.begin(), input.triangles.end(), [&](const auto& t) {
+    const auto at = [&](std::size_t i) { return input.positions[static_cast<std::size_t>(t[i].position)]; };
+    return (at(1) - at(0)).max_abs() >= CoordinateRange::least_extent;
+  });
+}
+
+void check_position_sizes(const TexturedTriangles& input) {
+  CoordinateRange range;
+  for (const auto& t : input.triangles)
+    for (const auto& c : t) {
+      const auto i = static_cast<std::size_t>(c.position);
+      range.add(i, input.positions[i].data());
+    }
+  if (const std::string problem = range.problem(); !problem.empty()) throw InputError(problem);
+}
+
+void check_texcoord_sizes(const TexturedTriangles& input, std::size_t set) {
+  for (std::size_t t = 0; t < input.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t vt = input.texcoord(set, t, i);
+      if (vt >= 0 && !is_small(input.texcoords_of(set)[static_cast<std::size_t>(vt)]))
+        throw InputError("triangle " + std::to_string(t) +
+                         " (from 0) has a texture coordinate that is too large, or not a number; correct it");
+    }
 }
 
 }  // namespace
 
 void check_size(const TexturedTriangles& input) {
-  CoordinateRange range;
-  for (std::size_t t = 0; t < input.triangles.size(); ++t) {
-    for (const auto& c : input.triangles[t]) {
-      const auto i = static_cast<std::size_t>(c.position);
-      range.add(i, input.positions[i].data());
-    }
-    for (std::size_t set = 0; set < input.uv_sets(); ++set) check_texcoord_size(input, set, t);
-  }
-  if (const std::string problem = range.problem(); !problem.empty()) throw InputError(problem);
+  for (std::size_t set = 0; set < input.uv_sets(); ++set)
+    if (!all_small(input.texcoords_of(set))) check_texcoord_sizes(input, set);
+  if (!all_small(input.positions) || !has_extent(input)) check_position_sizes(input);
 }
 
 void check(const TexturedTriangles& input) {

@@ -84,7 +84,7 @@ CollapseCost::CollapseCost(const TexturedSurface& surface, const DecimateOptions
   const bool quadric = options_.cost == DecimateCost::quadric;
   if (quadric && options_.memory_weight > 0) {
     memory_.resize(root_.capacity(0));
-    memory_unit_ = power_of_two_near(bounding_box_diagonal(positions_));
+    memory_unit_ = Unit(power_of_two_near(bounding_box_diagonal(positions_)));
   }
   SurfaceTriangle t;
   for (Index f = 0; f < root_.capacity(2); ++f) {
@@ -109,7 +109,7 @@ void CollapseCost::note_copies(const SurfaceTriangle& t) {
 void CollapseCost::remember(const SurfaceTriangle& t) {
   const Shape shape(t, 0);
   if (shape.weight == 0) return;
-  const double unit = options_.memory_weight * memory_unit_ * memory_unit_;  // of areas
+  const double unit = options_.memory_weight * memory_unit_.length * memory_unit_.length;  // of areas
   for (const Index v : t.vertices) memory_[v].add_plane(shape.normal, unit * shape.weight);
   if (!t.has_curves) return;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -189,8 +189,8 @@ double CollapseCost::deviation(const CollapsePlan& plan) const {
   const Vec3d from_a = plan.position - plan.at_a, from_b = plan.position - plan.at_b;
   double sum = 0;
   if (!memory_.empty()) {
-    const double u = memory_unit_;
-    sum = (memory_[plan.a](from_a * u) + memory_[plan.b](from_b * u)) / (u * u * u * u);
+    const double u = memory_unit_.length;
+    sum = (memory_[plan.a](from_a * u) + memory_[plan.b](from_b * u)) * memory_unit_.per_4th;
   }
   if (plan.moves(End::a)) sum += position_forms_[plan.a](from_a);
   if (plan.moves(End::b)) sum += position_forms_[plan.b](from_b);
@@ -268,9 +268,9 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
   if (!memory_.empty()) {
     const PlanesForm &in_a = memory_[plan.a], &in_b = memory_[plan.b];
     const PositionForm quadratic_a = in_a.quadratic(), quadratic_b = in_b.quadratic();
-    const double u = memory_unit_;
-    A.add(quadratic_a + quadratic_b, 1 / (u * u));
-    f += ((quadratic_a - quadratic_b).times(half * u) + in_a.linear() + in_b.linear()) / (u * u * u);
+    A.add(quadratic_a + quadratic_b, memory_unit_.per_square);
+    f += ((quadratic_a - quadratic_b).times(half * memory_unit_.length) + in_a.linear() + in_b.linear()) *
+         memory_unit_.per_cube;
   }
   A.add(PositionForm::point(pull), 1);
 
@@ -350,8 +350,8 @@ void CollapseCost::collapsed(const PredictedStar& star, const CollapsePlan& plan
   if (options_.cost != DecimateCost::quadric) return;
   replace_triangles(star, plan, kept);
   if (memory_.empty()) return;
-  memory_[plan.a].move((plan.position - plan.at_a) * memory_unit_);
-  memory_[plan.b].move((plan.position - plan.at_b) * memory_unit_);
+  memory_[plan.a].move((plan.position - plan.at_a) * memory_unit_.length);
+  memory_[plan.b].move((plan.position - plan.at_b) * memory_unit_.length);
   memory_[stays].merge(memory_[goes]);
 }
 

@@ -61,9 +61,14 @@ class CollapseCost {
   const TriangleReader& reader_;
   const std::vector<OpenMesh::Vec3d>& positions_;
   std::vector<PositionForm> position_forms_;  ///< per vertex of the surface
-  double memory_unit_ =
-      1;  ///< lengths are multiplied by it there: a power of two that makes the surface of size 1
-  std::vector<PlanesForm> memory_;  ///< the same; empty if its weight is 0
+  /// A power of two, so that it and its powers change no digit.
+  struct Unit {
+    explicit Unit(double l)
+        : length(l), per_square(1 / (l * l)), per_cube(per_square / l), per_4th(per_square * per_square) {}
+    double length, per_square, per_cube, per_4th;
+  };
+  Unit memory_unit_{1};             ///< lengths are multiplied by it there, so that the surface has size 1
+  std::vector<PlanesForm> memory_;  ///< as the position forms; empty if its weight is 0
   struct Set {
     NodeId node;
     const std::vector<OpenMesh::Vec2d>& texcoords;

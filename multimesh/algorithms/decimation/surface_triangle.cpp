@@ -7,12 +7,10 @@
 namespace multimesh::decimation {
 
 TriangleReader::TriangleReader(const TexturedSurface& surface, const Strata& strata)
-    : strata_(strata),
-      tree_(surface.tree()),
-      root_(tree_.mesh(NodeId::root)),
-      positions_(surface.positions()) {
+    : strata_(strata), root_(surface.tree().mesh(NodeId::root)), positions_(surface.positions()) {
   for (const NodeId n : surface.textures())
-    textures_.push_back({n, &tree_.mesh(n), &surface.texcoords(textures_.size())});
+    textures_.push_back(
+        {FacetCopies(surface.tree(), n), &surface.tree().mesh(n), &surface.texcoords(textures_.size())});
   if (textures_.size() > max_sets)
     throw InputError("decimate: " + std::to_string(textures_.size()) + " UV sets; at most " +
                      std::to_string(max_sets) + " are supported");
@@ -29,8 +27,8 @@ void TriangleReader::read(Dart d, SurfaceTriangle& t) const {
   std::array<Dart, max_sets> copies;
   for (std::size_t k = 0; k < n_sets(); ++k) {
     SurfaceTriangle::Textured& set = t.sets[k];
-    const auto& [node, texture, texcoords] = textures_[k];
-    copies[k] = tree_.facet_copy(node, d);
+    const auto& [facet_over, texture, texcoords] = textures_[k];
+    copies[k] = facet_over(d);
     set.facet = no_index;
     if (copies[k] == no_dart) continue;
     set.facet = texture->facet(copies[k]);

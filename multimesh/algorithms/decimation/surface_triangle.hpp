@@ -47,11 +47,10 @@ class TriangleReader {
   void read_curves(Dart d, const std::array<Dart, max_sets>& copies, SurfaceTriangle& triangle) const;
 
   const Strata& strata_;
-  const MultiMesh& tree_;
   const Mesh& root_;
   const std::vector<OpenMesh::Vec3d>& positions_;
   struct Texture {
-    NodeId node;
+    FacetCopies facet_over;
     const Mesh* mesh;
     const std::vector<OpenMesh::Vec2d>* texcoords;
   };

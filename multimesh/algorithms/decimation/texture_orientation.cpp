@@ -30,11 +30,6 @@ int sign(double area, double none) {
   return area > none ? 1 : area < -none ? -1 : 0;
 }
 
-/// What a triangle has on the right side, or had before, it may have.
-bool allowed(int right, int had, int has) {
-  return has == had || has == right;
-}
-
 struct Box {
   Vec2d low{1e300, 1e300}, high{-1e300, -1e300};
   void add(const Vec2d& p) { low.minimize(p), high.maximize(p); }
@@ -104,15 +99,19 @@ bool TextureOrientation::allows(const PredictedStar& star, const CollapsePlan&) 
 }
 
 // Asked twice: of the exact signs, so that no triangle flips, however small; and of those of areas that can
-// be seen, so that none grows on the wrong side out of one that cannot.
+// be seen, so that none grows on the wrong side out of one that cannot. What a triangle has on the right
+// side, or had before, it may have.
 bool TextureOrientation::keeps_sign(const PredictedStar::Face& f) const {
   const Chart& chart = charts_[chart_of_[f.before.sets[set_].facet]];
   const std::array<Vec2d, 3>& old = f.before.sets[set_].texcoords;
   const std::array<Vec2d, 3> now = f.texcoords_after(set_);
   const double before = doubled_area(old), after = doubled_area(now);
-  if (!allowed(chart.sign, sign(before, chart.no_area), sign(after, chart.no_area))) return false;
-  const int had = orientation(old);
-  if ((had != 0 || chart.sign != 0) && !allowed(chart.sign, had, orientation(now))) return false;
+  const int seen = sign(after, chart.no_area), has = orientation(now);
+  if (seen != chart.sign && seen != sign(before, chart.no_area)) return false;
+  if (has != chart.sign) {
+    const int had = orientation(old);
+    if (has != had && (had != 0 || chart.sign != 0)) return false;
+  }
   return std::abs(before) <= no_area_ || std::abs(after) > no_area_;
 }
 
