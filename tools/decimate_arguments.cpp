@@ -8,6 +8,7 @@
 #include "multimesh/error.hpp"
 #include "tools/follow_paths.hpp"
 #include "tools/number_check.hpp"
+#include "tools/surface_paths.hpp"
 #include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
@@ -99,13 +100,7 @@ void add_weights(CLI::App& command, DecimateArguments& a) {
 }  // namespace
 
 void add_options(CLI::App& command, DecimateArguments& a) {
-  command
-      .add_option("IN", a.input,
-                  "surface to read: OBJ, PLY, OFF, STL; MSH, MEDIT, VTK, VTU, VTP; also gzipped")
-      ->required();
-  command
-      .add_option("-o,--output", a.output, "file to write: OBJ; or PLY, OFF, STL, which have room for less")
-      ->required();
+  add_surface_paths(command, a.input, a.output);
   add_targets(command, a);
   add_limits(command, a);
   add_weights(command, a);

@@ -2,11 +2,11 @@
 #include "tools/domain_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <set>
 
 #include "adapters/io/group_tags.hpp"
+#include "adapters/io/gunzip.hpp"
 #include "adapters/io/polygons_to_simplices.hpp"
 #include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/simplex_writer.hpp"
@@ -18,11 +18,7 @@
 namespace multimesh::tools {
 
 bool is_surface_format(const std::filesystem::path& path) {
-  auto plain = path;
-  if (plain.extension() == ".gz") plain = plain.stem();
-  std::string extension = plain.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = io::format_extension(path);
   return extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off";
 }
 

@@ -17,6 +17,7 @@
 #include "tools/output_check.hpp"
 #include "tools/surface_file.hpp"
 #include "tools/surface_json.hpp"
+#include "tools/surface_paths.hpp"
 #include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
@@ -35,13 +36,7 @@ struct RemeshArguments {
 void add_options(CLI::App& command, RemeshArguments& a) {
   const auto length =
       number([](double l) { return l > 0 && std::isfinite(l); }, "above 0, for instance 0.02", "L");
-  command
-      .add_option("IN", a.input,
-                  "surface to read: OBJ, PLY, OFF, STL; MSH, MEDIT, VTK, VTU, VTP; also gzipped")
-      ->required();
-  command
-      .add_option("-o,--output", a.output, "file to write: OBJ; or PLY, OFF, STL, which have room for less")
-      ->required();
+  add_surface_paths(command, a.input, a.output);
   auto* target = command.add_option_group("Length", "of the edges that are wanted");
   target->add_option("--length", a.length, "in the units of the file")->check(length);
   target->add_option("--relative-length", a.relative_length, "relative to the diagonal of the bounding box")

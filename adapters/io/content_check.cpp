@@ -6,6 +6,7 @@
 #include <string>
 
 #include "adapters/io/input_location.hpp"
+#include "adapters/io/text_cursor.hpp"
 
 namespace multimesh::io {
 namespace {
@@ -45,13 +46,9 @@ constexpr std::array other_meshes = {
     Signature{"$meshformat"sv, "this is a Gmsh file; give it the extension .msh"},
     Signature{"# vtk datafile"sv, "this is a VTK file; give it the extension .vtk"}};
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool begins_with(std::string_view text, std::string_view begin) {
-  return text.size() >= begin.size() &&
-         std::equal(begin.begin(), begin.end(), text.begin(), [](char a, char b) { return a == lower(b); });
+  return text.size() >= begin.size() && std::equal(begin.begin(), begin.end(), text.begin(),
+                                                   [](char a, char b) { return a == lower_case(b); });
 }
 
 std::string_view without_leading_blanks(std::string_view text) {

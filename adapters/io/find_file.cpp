@@ -12,11 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_file(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
-
 std::string with_slashes(std::string_view name) {
   std::string slashes(name);
   std::ranges::replace(slashes, '\\', '/');
@@ -108,6 +103,11 @@ FoundFile find_file(std::string_view name, const FileSearch& search) {
     for (const fs::path& directory : search.directories)
       if (best.add(resembling(directory, written))) return best.found();
   return best.found();
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
 }
 
 bool is_absolute_name(std::string_view name) {

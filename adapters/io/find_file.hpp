@@ -25,6 +25,9 @@ struct FoundFile {
 /// or is inside, its last part beside the other file, as with absolute paths of another machine.
 FoundFile find_file(std::string_view name, const FileSearch& search);
 
+/// Whether there is a regular file; no reason why not.
+bool is_file(const std::filesystem::path& path);
+
 /// `/x`, `C:\x`, `\\server\x`, `file://x`.
 bool is_absolute_name(std::string_view name);
 

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "adapters/io/input_location.hpp"
+#include "adapters/io/text_cursor.hpp"
 
 namespace multimesh::io {
 namespace {
@@ -107,13 +108,8 @@ UnpackedBytes::UnpackedBytes(const std::filesystem::path& path)
 }
 
 std::string format_extension(const std::filesystem::path& path) {
-  const auto lower = [](std::string text) {
-    for (char& c : text)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-  };
-  const std::string extension = lower(path.extension().string());
-  return extension == ".gz" ? lower(path.stem().extension().string()) : extension;
+  const std::string extension = lower_case(path.extension().string());
+  return extension == ".gz" ? lower_case(path.stem().extension().string()) : extension;
 }
 
 }  // namespace multimesh::io

@@ -6,6 +6,7 @@
 
 #include "adapters/io/atomic_file.hpp"
 #include "adapters/io/file_bytes.hpp"
+#include "adapters/io/find_file.hpp"
 #include "adapters/io/material_library.hpp"
 #include "adapters/io/mtl_rewrite.hpp"
 #include "adapters/io/output_path.hpp"
@@ -14,11 +15,6 @@ namespace multimesh::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_file(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
 
 class Relocation {
  public:

@@ -9,6 +9,7 @@
 #include "adapters/io/content_check.hpp"
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/soup_check.hpp"
+#include "adapters/io/text_cursor.hpp"
 #include "adapters/io/weld.hpp"
 #include "adapters/io/word_source.hpp"
 
@@ -128,20 +129,13 @@ class TextParser {
 
   PolygonSoup parse() {
     std::string_view word;
-    while (words_.next(word)) statement(lower(word));
+    while (words_.next(word)) statement(lower_case(word));
     if (inside_facet_) words_.fail_truncated("the end of the facet, endfacet");
     if (inside_) facets_.warn(words_.file() + ": the file ends without endsolid; it may not be whole");
     return facets_.finish(words_.file());
   }
 
  private:
-  static std::string lower(std::string_view word) {
-    std::string text(word);
-    for (char& c : text)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-  }
-
   void statement(const std::string& word) {
     if (word == "vertex") return vertex();
     if (word == "endloop") end_loop();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "adapters/io/cell_shape.hpp"
+#include "adapters/io/text_cursor.hpp"
 
 namespace multimesh::io {
 namespace {
@@ -133,10 +134,7 @@ bool VtkTagChoice::offer(std::string_view name) {
       "tag",         "tags",     "gmsh:physical", "medit:ref", "cell_tags", "region",
       "regions",     "regionid", "region_id",     "material",  "materials", "materialid",
       "materialids", "matid",    "label",         "labels",    "domain",    "gmsh:geometrical"};
-  std::string lower(name);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  const auto rank = static_cast<std::size_t>(std::ranges::find(usual, lower) - usual.begin());
+  const auto rank = static_cast<std::size_t>(std::ranges::find(usual, lower_case(name)) - usual.begin());
   if (chosen_ && rank >= rank_) return false;
   chosen_ = true;
   rank_ = rank;

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "adapters/io/simplex_builder.hpp"
+#include "adapters/io/text_cursor.hpp"
 #include "adapters/io/vtk_cells.hpp"
 #include "adapters/io/vtk_numbers.hpp"
 #include "adapters/io/word_source.hpp"
@@ -35,13 +36,6 @@ constexpr std::array<NumberType, 15> number_types = {{{"double", "Float64", 8},
                                                       {"signed_char", "Int8", 1},
                                                       {"unsigned_char", "UInt8", 1}}};
 
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 class VtkParser {
  public:
   VtkParser(std::string_view bytes, const std::string& file)
@@ -49,7 +43,7 @@ class VtkParser {
 
   SimplexSoup parse(const ReadOptions& options) {
     begin();
-    for (std::string_view word; !stopped_ && words_.next(word);) section(lower(word));
+    for (std::string_view word; !stopped_ && words_.next(word);) section(lower_case(word));
     if (cells_.types.size() != cells_.ends.size())
       words_.fail("the file has " + std::to_string(cells_.ends.size()) + " cells and " +
                   std::to_string(cells_.types.size()) + " cell types; get it whole");
@@ -64,12 +58,12 @@ class VtkParser {
       words_.rest_of_line();
       words_.end_of_line();
     }
-    const std::string encoding = lower(words_.word("ASCII or BINARY"));
+    const std::string encoding = lower_case(words_.word("ASCII or BINARY"));
     if (encoding != "ascii" && encoding != "binary")
       words_.fail("ASCII or BINARY has to come here; correct it");
     binary_ = encoding == "binary";
-    const std::string keyword = lower(words_.word("DATASET"));
-    const std::string type = lower(words_.word("the type of the dataset"));
+    const std::string keyword = lower_case(words_.word("DATASET"));
+    const std::string type = lower_case(words_.word("the type of the dataset"));
     if (keyword != "dataset" || (type != "unstructured_grid" && type != "polydata"))
       words_.fail("only DATASET UNSTRUCTURED_GRID and POLYDATA are read, not " + quoted_word(type) +
                   "; convert it");
@@ -112,7 +106,7 @@ class VtkParser {
   void cells() {
     const std::size_t count = words_.count("cells", 1);
     const std::size_t size = words_.count("entries of cells", 1);
-    if (lower(words_.peek()) == "offsets") return new_cells(count, size);
+    if (lower_case(words_.peek()) == "offsets") return new_cells(count, size);
     const auto numbers = read<std::int64_t>("int", size);
     std::size_t at = 0;
     for (std::size_t c = 0; c < count; ++c) {
@@ -130,7 +124,7 @@ class VtkParser {
   void new_cells(std::size_t offsets, std::size_t size) {
     words_.word("OFFSETS");
     const auto ends = read<std::int64_t>(words_.word("the type of offsets"), offsets);
-    if (lower(words_.word("CONNECTIVITY")) != "connectivity")
+    if (lower_case(words_.word("CONNECTIVITY")) != "connectivity")
       words_.fail("CONNECTIVITY has to come here; save the mesh again");
     const auto points = read<std::int64_t>(words_.word("the type of the connectivity"), size);
     if (ends.empty() || ends.front() != 0) words_.fail("the offsets must begin with 0");
@@ -160,7 +154,7 @@ class VtkParser {
 
   void scalars() {
     const std::string name(words_.word("the name of scalars"));
-    const std::string type = lower(words_.word("the type of scalars"));
+    const std::string type = lower_case(words_.word("the type of scalars"));
     std::size_t components = 1;
     if (words_.peek() != "LOOKUP_TABLE") components = words_.count("components", 0);
     words_.word("LOOKUP_TABLE");
@@ -171,14 +165,14 @@ class VtkParser {
   void field() {
     words_.word("the name of a field");
     for (std::size_t n = words_.count("arrays", 6); n > 0; --n) {
-      if (lower(words_.peek()) == "metadata") {
+      if (lower_case(words_.peek()) == "metadata") {
         words_.word("METADATA");
         metadata();
       }
       const std::string name(words_.word("the name of an array"));
       const std::size_t components = words_.count("components", 0);
       const std::size_t tuples = words_.count("values", 1);
-      values(name, lower(words_.word("the type of an array")), components, tuples);
+      values(name, lower_case(words_.word("the type of an array")), components, tuples);
     }
   }
 
@@ -209,7 +203,7 @@ class VtkParser {
 
   void skip_attribute(std::size_t components) {
     const std::string name(words_.word("the name of an array"));
-    read<double>(lower(words_.word("the type of an array")), components * data_size_);
+    read<double>(lower_case(words_.word("the type of an array")), components * data_size_);
     builder_.left_out("array " + name);
   }
 
@@ -217,7 +211,7 @@ class VtkParser {
     const std::string name(words_.word("the name of an array"));
     const std::size_t components = words_.count("components", 0);
     if (components > 3) words_.fail("more than 3 texture coordinates are not possible; save the mesh again");
-    read<double>(lower(words_.word("the type of an array")), components * data_size_);
+    read<double>(lower_case(words_.word("the type of an array")), components * data_size_);
     builder_.left_out("texture coordinates " + name);
   }
 
@@ -237,7 +231,7 @@ class VtkParser {
 
   template <class T>
   std::vector<T> read(std::string_view type_name, std::size_t count) {
-    const std::string name = lower(type_name);
+    const std::string name = lower_case(type_name);
     const NumberType* type = nullptr;
     for (const NumberType& known : number_types)
       if (known.name == name) type = &known;
