@@ -53,6 +53,20 @@ TEST(Improve, ReachesATighterTargetFromManySeeds) {
   }
 }
 
+// Nothing forces more than 3 there.
+TEST(Improve, ReachesTheTargetInLongAndFlatBoxes) {
+  for (const Eigen::Vector3d& sides : {Eigen::Vector3d(20, 1, 0.5), Eigen::Vector3d(30, 1, 1),
+                                       Eigen::Vector3d(5, 4, 0.25), Eigen::Vector3d(0.1, 0.1, 3)}) {
+    BoxOptions options{.n = 2, .sheet = false, .regions = false, .curve = false, .squash = 0.9};
+    options.map = sides.asDiagonal();
+    TetDomain domain(make_box(options).input);
+    const Kept kept(domain);
+    const ImproveResult r = improve(domain);
+    EXPECT_TRUE(r.target_reached) << sides.transpose() << ": " << r.after.max_amips;
+    EXPECT_EQ(kept.fault(domain), "") << sides.transpose();
+  }
+}
+
 TEST(Improve, LeavesAGoodMeshAlone) {
   BoxOptions options;
   options.squash = 0;
