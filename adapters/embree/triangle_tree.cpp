@@ -238,8 +238,19 @@ std::optional<Nearby> TriangleTree::nearest(const Point& p, double max_distance)
       p, max_distance, [&](Index facet) { return std::optional(closest_point(p, data_->triangles[facet])); });
 }
 
-std::optional<Nearby> TriangleTree::nearest_chosen(const Point& p, const Choose& choose) const {
-  return data_->nearest(p, std::numeric_limits<double>::infinity(), std::cref(choose));
+bool TriangleTree::has_within(const Point& p, double max_distance) const {
+  bool found = false;
+  data_->traverse(p, max_distance, [&](Index facet) {
+    found =
+        found || closest_point(p, data_->triangles[facet]).squared_distance <= max_distance * max_distance;
+    return found ? 0 : max_distance;
+  });
+  return found;
+}
+
+std::optional<Nearby> TriangleTree::nearest_chosen(const Point& p, const Choose& choose,
+                                                   double max_distance) const {
+  return data_->nearest(p, max_distance, std::cref(choose));
 }
 
 void TriangleTree::within(const Point& p, double radius, std::vector<Nearby>& found) const {

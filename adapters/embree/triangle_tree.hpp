@@ -40,10 +40,14 @@ class TriangleTree {
   std::optional<Nearby> nearest(const Point& p,
                                 double max_distance = std::numeric_limits<double>::infinity()) const;
 
+  /// Whether any triangle is within `max_distance`, inclusive: as soon as one is found, no other is asked.
+  bool has_within(const Point& p, double max_distance) const;
+
   /// As nearest, but of each triangle that point counts which `choose` gives, with its squared distance to p;
   /// none: the triangle is left out. Triangles that are too far are not asked for.
   using Choose = std::function<std::optional<PointOnTriangle>(Index facet)>;
-  std::optional<Nearby> nearest_chosen(const Point& p, const Choose& choose) const;
+  std::optional<Nearby> nearest_chosen(const Point& p, const Choose& choose,
+                                       double max_distance = std::numeric_limits<double>::infinity()) const;
 
   /// All triangles within `radius`, inclusive, by ascending facet. `found` is overwritten; keep it, and
   /// nothing is allocated in the steady state. \throw UsageError if p is not finite

@@ -209,6 +209,38 @@ TEST(TriangleTree, NearestOfChosenPoints) {
   EXPECT_FALSE(tree.nearest_chosen({0, 0, 0}, [](Index) { return std::nullopt; }));
 }
 
+TEST(TriangleTree, ABoundChangesNoAnswerWithinIt) {
+  const auto triangles = soup(900, 24, 0.2, {0, 0, 0}, {1, 1, 1});
+  const TriangleTree tree(triangles);
+  for (const Point& p : points(100, 25, {-1, -1, -1}, {2, 2, 2})) {
+    const auto choose = [&](Index f) -> std::optional<PointOnTriangle> {
+      return f % 7 == 0 ? std::optional(closest_point(p, triangles[f])) : std::nullopt;
+    };
+    const auto best = tree.nearest_chosen(p, choose);
+    ASSERT_TRUE(best);
+    const double d = std::sqrt(best->squared_distance);
+    const auto found = tree.nearest_chosen(p, choose, 1.001 * d + 1e-9);
+    ASSERT_TRUE(found);
+    expect_equal(*found, *best);
+    if (d > 0) {
+      EXPECT_FALSE(tree.nearest_chosen(p, choose, 0.999 * d));
+    }
+  }
+}
+
+TEST(TriangleTree, HasSomethingWithinADistanceWheneverTheNearestOneIs) {
+  const auto triangles = soup(900, 26, 0.2, {0, 0, 0}, {1, 1, 1});
+  const TriangleTree tree(triangles);
+  for (const Point& p : points(100, 27, {-1, -1, -1}, {2, 2, 2})) {
+    const double d = std::sqrt(tree.nearest(p)->squared_distance);
+    EXPECT_TRUE(tree.has_within(p, 1.001 * d + 1e-9));
+    if (d > 0) {
+      EXPECT_FALSE(tree.has_within(p, 0.999 * d));
+    }
+  }
+  EXPECT_FALSE(TriangleTree(std::vector<Triangle>{}).has_within({0, 0, 0}, 1));
+}
+
 TEST(TriangleTree, WithoutTrianglesNothingIsNear) {
   const TriangleTree tree(std::vector<Triangle>{});
   EXPECT_FALSE(tree.nearest({0, 0, 0}));

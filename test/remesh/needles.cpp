@@ -24,11 +24,11 @@ class Builder {
     t[0].position = a, t[1].position = b, t[2].position = c;
     for (auto& corner : t) corner.texcoord = -1;
   }
-  Ring ring(int n, double radius, double z) {
+  Ring ring(int n, double radius, double z, double x = 0, double y = 0) {
     Ring r;
     for (int i = 0; i < n; ++i) {
       const double angle = 2 * std::numbers::pi * i / n;
-      r.push_back(vertex(radius * std::cos(angle), radius * std::sin(angle), z));
+      r.push_back(vertex(x + radius * std::cos(angle), y + radius * std::sin(angle), z));
     }
     return r;
   }
@@ -39,12 +39,24 @@ class Builder {
       triangle(low[i], high[j], high[i]);
     }
   }
+  void tip(const Ring& r, int middle) {
+    for (std::size_t i = 0; i < r.size(); ++i) triangle(r[i], r[(i + 1) % r.size()], middle);
+  }
+  /// What a square has besides a hole. Both turn left seen from above; a quarter of the rim to each corner.
+  void around_hole(const Ring& square, const Ring& hole, bool from_below) {
+    const auto add = [&](int a, int p, int q) { from_below ? triangle(a, q, p) : triangle(a, p, q); };
+    const std::size_t n = hole.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = 4 * i / n, next = 4 * (i + 1) / n;
+      add(square[k], hole[(i + 1) % n], hole[i]);
+      if (next != k) add(square[k], square[next % 4], hole[(i + 1) % n]);
+    }
+  }
   /// Seen from its front, the ring turns left.
   void close(const Ring& r, Cap cap, double z) {
     const std::size_t n = r.size();
     if (cap == Cap::fan) {
-      const int middle = vertex(0, 0, z);
-      for (std::size_t i = 0; i < n; ++i) triangle(middle, r[i], r[(i + 1) % n]);
+      tip(r, vertex(0, 0, z));
     }
     if (cap == Cap::corner)
       for (std::size_t i = 1; i + 1 < n; ++i) triangle(r[0], r[i], r[i + 1]);
@@ -89,8 +101,7 @@ TexturedTriangles disk(int segments, Cap cap) {
 TexturedTriangles cone(int segments, double height, Cap cap) {
   Builder b;
   const Ring base = b.ring(segments, 1, 0);
-  const Ring tip(base.size(), b.vertex(0, 0, height));
-  for (std::size_t i = 0; i < base.size(); ++i) b.triangle(base[i], base[(i + 1) % base.size()], tip[i]);
+  b.tip(base, b.vertex(0, 0, height));
   b.close(reversed(base), cap, 0);
   return b.out;
 }
@@ -101,6 +112,39 @@ TexturedTriangles cylinder(int segments, double height, double radius_on_top, Ca
   b.band(low, high);
   b.close(reversed(low), cap, 0);
   b.close(high, cap, height);
+  return b.out;
+}
+
+TexturedTriangles eccentric_disk(int segments, double x, double y) {
+  Builder b;
+  b.tip(b.ring(segments, 1, 0), b.vertex(x, y, 0));
+  return b.out;
+}
+
+TexturedTriangles lens(int segments) {
+  Builder b;
+  const Ring rim = b.ring(segments, 1, 0);
+  b.tip(rim, b.vertex(0, 0, 1));
+  b.tip(reversed(rim), b.vertex(0, 0, -1));
+  return b.out;
+}
+
+TexturedTriangles drilled_plate(int segments, double x, double y, double radius, double thickness) {
+  Builder b;
+  const auto level = [&](double z) {
+    Ring corners{b.vertex(1, 1, z), b.vertex(-1, 1, z), b.vertex(-1, -1, z), b.vertex(1, -1, z)};
+    return std::pair{corners, b.ring(segments, radius, z, x, y)};
+  };
+  const auto [low, low_hole] = level(0);
+  if (thickness == 0) {
+    b.around_hole(low, low_hole, false);
+    return b.out;
+  }
+  const auto [high, high_hole] = level(thickness);
+  b.around_hole(low, low_hole, true);
+  b.around_hole(high, high_hole, false);
+  b.band(low, high);
+  b.band(reversed(low_hole), reversed(high_hole));
   return b.out;
 }
 

@@ -58,15 +58,15 @@ TEST_F(Pyramid, PlacesAreOnThePatchThatLooksTheSameWay) {
   TreeStrata strata(*tree_.tree);
   std::vector<Index> patch(root().capacity(2)), line(root().capacity(1));
   const Reference input(*tree_.tree, *this, {}, strata, patch, line);
-  const auto above = input.on_patch(patch[0], {0, 0, 3}, {0, 0, 1});
+  const auto above = input.on_patch(patch[0], {0, 0, 3}, {0, 0, 1}, 0.1);
   ASSERT_TRUE(above);
   EXPECT_NEAR((above->position - Vec3d(0, 0, 1)).norm(), 0, 1e-12);
-  EXPECT_FALSE(input.on_patch(patch[0], {0, 0, 3}, {0, 0, -1}));
-  EXPECT_FALSE(input.on_patch(patch[0] + 1, {0, 0, 3}, {0, 0, 1}));
-  const auto rim = input.on_line(1, {0, 3, 1});  // the boundary is the only line
+  EXPECT_FALSE(input.on_patch(patch[0], {0, 0, 3}, {0, 0, -1}, 3));
+  EXPECT_FALSE(input.on_patch(patch[0] + 1, {0, 0, 3}, {0, 0, 1}, 0.1));
+  const auto rim = input.on_line(1, {0, 3, 1}, 9);  // the boundary is the only line
   ASSERT_TRUE(rim);
   EXPECT_NEAR((rim->position - Vec3d(0, 1, 0)).norm(), 0, 1e-12);
-  EXPECT_FALSE(input.on_line(2, {0, 3, 1}));
+  EXPECT_FALSE(input.on_line(2, {0, 3, 1}, 9));
   EXPECT_TRUE(input.has_within({0, 0, 1.1}, 0.11));
   EXPECT_FALSE(input.has_within({0, 0, 1.1}, 0.05));
 }

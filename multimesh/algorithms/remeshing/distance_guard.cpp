@@ -20,7 +20,7 @@ constexpr double bent_cosine = 0.9;
 /// Of the bound: a triangle is compared at four points, and may be farther in between.
 constexpr double few_points = 0.6;
 /// Points in a square whose side is the spacing.
-constexpr double per_square = 1.3;
+constexpr double per_square = 2;
 
 Vec3d normal(const spatial::Triangle& t) {
   const Vec3d a(t[0].data()), b(t[1].data()), c(t[2].data());
@@ -160,6 +160,19 @@ bool DistanceGuard::touches_boundary(Dart d) const {
          root_.is_boundary(root_.reorder(d, edge_bx), 1);
 }
 
+// At the points of a grid besides the corners.
+bool DistanceGuard::is_near_input(const spatial::Triangle& t) const {
+  constexpr int n = 4;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n && k <= n - i; ++k) {
+      const int m = n - i - k;
+      if (m < n && !input_.has_within(spatial::at(t, {i / double(n), k / double(n), m / double(n)}),
+                                      few_points * bound_))
+        return false;
+    }
+  return true;
+}
+
 bool DistanceGuard::is_near_input(const DartBuffer& triangles) const {
   Vec3d mean(0, 0, 0);
   for (const Dart t : triangles) mean += normal(triangle(t));
@@ -167,9 +180,7 @@ bool DistanceGuard::is_near_input(const DartBuffer& triangles) const {
     const spatial::Triangle t = triangle(d);
     const Vec3d n = normal(t);
     if (!touches_boundary(d) && (n | mean) > bent_cosine * n.norm() * mean.norm()) continue;
-    for (const auto& w : {std::array{1 / 3.0, 1 / 3.0, 1 / 3.0}, std::array{0.5, 0.5, 0.0},
-                          std::array{0.0, 0.5, 0.5}, std::array{0.5, 0.0, 0.5}})
-      if (!input_.has_within(spatial::at(t, w), few_points * bound_)) return false;
+    if (!is_near_input(t)) return false;
   }
   return true;
 }

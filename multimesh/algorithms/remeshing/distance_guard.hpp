@@ -43,6 +43,7 @@ class DistanceGuard {
   void put(Index point, Index triangle);
   bool touches_boundary(Dart triangle) const;
   bool is_near_input(const DartBuffer& triangles) const;
+  bool is_near_input(const spatial::Triangle& t) const;
   spatial::Triangle triangle(Dart d) const;
 
   const Mesh& root_;

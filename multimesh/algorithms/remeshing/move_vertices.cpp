@@ -50,7 +50,8 @@ void Remesher::smooth(Dart vertex) {
   const Index v = root_.vertex(vertex);
   if (placed_[v] && step.norm() < smallest_move_) return;
   for (const double share : {1.0, 0.5, 0.25, 0.0})  // the last one: at least onto the input
-    if (const auto to = place(vertex, freedom, line, here + step * share, normal); to && move(vertex, *to)) {
+    if (const auto to = place(vertex, freedom, line, {here + step * share, share * step.norm()}, normal);
+        to && move(vertex, *to)) {
       ++result_.moves;
       placed_[v] = true;
       return;
@@ -58,10 +59,12 @@ void Remesher::smooth(Dart vertex) {
 }
 
 std::optional<Place> Remesher::place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
-                                     const Vec3d& wanted, const Vec3d& normal) const {
+                                     const Wanted& wanted, const Vec3d& normal) const {
   if (freedom == Freedom::none) return std::nullopt;
-  if (freedom == Freedom::line) return reference_.on_line(line_[root_.simplex(line[0], 1)], wanted);
-  return reference_.on_patch(patch_[root_.facet(vertex)], wanted, normal);
+  const double expected = wanted.from_input + smallest_move_;
+  if (freedom == Freedom::line)
+    return reference_.on_line(line_[root_.simplex(line[0], 1)], wanted.at, expected);
+  return reference_.on_patch(patch_[root_.facet(vertex)], wanted.at, normal, expected);
 }
 
 // Each copy of the vertex in a mesh below gets one of the coordinates there: on a line, those of its own

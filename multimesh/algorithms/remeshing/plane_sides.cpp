@@ -15,11 +15,11 @@ namespace {
 /// Twice an area that is as good as none, relative to the squared diagonal of the bounding box.
 constexpr double relative_tiny = 1e-11;
 
-int side(const std::array<Vec3d, 3>& t) {
+int side(const Corners& t) {
   return orient2d(t[0].data(), t[1].data(), t[2].data());
 }
 
-double doubled_area(const std::array<Vec3d, 3>& t) {
+double doubled_area(const Corners& t) {
   const Vec3d u = t[1] - t[0], v = t[2] - t[0];
   return std::abs(u[0] * v[1] - u[1] * v[0]);
 }
@@ -34,13 +34,13 @@ PlaneSides::PlaneSides(const Mesh& mesh, const Coordinates& at) : mesh_(mesh), a
 }
 
 // In the orientation of the mesh, whatever that of the dart.
-PlaneSides::Triangle PlaneSides::triangle(Dart d) const {
+Corners PlaneSides::triangle(Dart d) const {
   std::array<Index, 4> v{};
   mesh_.vertices(mesh_.dart_of(2, mesh_.facet(d)), v.data());
   return {at_.at(v[0]), at_.at(v[1]), at_.at(v[2])};
 }
 
-bool PlaneSides::keeps_side(const Triangle& before, const Triangle& after, int none) const {
+bool PlaneSides::keeps_side(const Corners& before, const Corners& after, int none) const {
   const int had = side(before), has = side(after);
   if (had == 0 ? has != 0 && has != none : has != had) return false;
   return doubled_area(before) <= tiny_ || doubled_area(after) > tiny_;
@@ -59,36 +59,26 @@ int PlaneSides::common_side() const {
 bool PlaneSides::allows(Dart vertex, const Vec3d& to, Index without) {
   mesh_.star(vertex, 0, star_);
   const int common = common_side();
-  return std::all_of(star_.begin(), star_.end(), [&](Dart t) {
-    std::array<Index, 4> v{};
-    mesh_.vertices(t, v.data());
-    if (v[1] == without || v[2] == without) return true;
-    const Vec3d x = at_.at(v[1]), y = at_.at(v[2]);
-    return keeps_side({at_.at(v[0]), x, y}, {to, x, y}, common);
+  return keeps_around(mesh_, at_, star_, to, without, [&](const Corners& before, const Corners& after) {
+    return keeps_side(before, after, common);
   });
 }
 
 bool PlaneSides::allows_swap(Dart edge) {
   mesh_.star(edge, 1, star_);
   if (star_.size() != 2) return false;
-  std::array<Index, 4> v{}, w{};
-  mesh_.vertices(star_[0], v.data());
-  mesh_.vertices(star_[1], w.data());
-  const Vec3d a = at_.at(v[0]), b = at_.at(v[1]), l = at_.at(v[2]), r = at_.at(w[2]);
-  const Triangle left{a, b, l}, right{b, a, r}, low{a, r, l}, high{r, b, l};
-  const int sum = side(left) + side(right);
+  const Swapped t(mesh_, at_, star_);
+  const int sum = side(t.left) + side(t.right);
   if (sum == 0) return false;
   const int common = sum > 0 ? 1 : -1;
-  for (const Triangle& before : {left, right})
-    for (const Triangle& after : {low, high})
-      if (!keeps_side(before, after, common)) return false;
-  return true;
+  return t.keeps_all(
+      [&](const Corners& before, const Corners& after) { return keeps_side(before, after, common); });
 }
 
 void PlaneSides::count(Dart d, int k, Count& sum) {
   mesh_.star(d, k, star_);
   for (const Dart t : star_) {
-    const Triangle corners = triangle(t);
+    const Corners corners = triangle(t);
     const int s = side(corners);
     sum.left += s > 0, sum.right += s < 0, sum.none += s == 0;
     sum.tiny += doubled_area(corners) <= tiny_;

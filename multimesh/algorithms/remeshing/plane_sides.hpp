@@ -4,6 +4,7 @@
 #include <OpenMesh/Core/Geometry/VectorT.hh>
 
 #include "multimesh/algorithms/coordinates.hpp"
+#include "multimesh/algorithms/remeshing/changed_triangles.hpp"
 #include "multimesh/dart.hpp"
 
 namespace multimesh::remeshing {
@@ -30,10 +31,9 @@ class PlaneSides {
   static bool halved(const Count& before, const Count& after);
 
  private:
-  using Triangle = std::array<OpenMesh::Vec3d, 3>;
-  Triangle triangle(Dart d) const;
+  Corners triangle(Dart d) const;
   /// \param none the side that a triangle without area may get
-  bool keeps_side(const Triangle& before, const Triangle& after, int none) const;
+  bool keeps_side(const Corners& before, const Corners& after, int none) const;
   /// Of the triangles in star_: 0 if they lie on both.
   int common_side() const;
 

@@ -111,25 +111,30 @@ Place Reference::place(const Layer& layer, const spatial::TriangleTree& tree, co
   return result;
 }
 
-std::optional<Place> Reference::on_patch(Index patch, const Vec3d& p, const Vec3d& normal) const {
-  const auto found =
-      triangles_->nearest_chosen(to_point(p), [&](Index f) -> std::optional<spatial::PointOnTriangle> {
-        if (patches_.group[f] != patch || (patches_.normal[f] | normal) < 0) return std::nullopt;
-        return spatial::closest_point(to_point(p), triangles_->triangles()[f]);
-      });
+// Without a bound, many triangles of other groups may be asked before the first one of this group.
+template <class Look>
+std::optional<Place> Reference::closest(const Layer& layer, const spatial::TriangleTree& tree, Index group,
+                                        const Vec3d& p, double expected, Look look) {
+  const spatial::Point at = to_point(p);
+  const spatial::TriangleTree::Choose choose = [&](Index f) -> std::optional<spatial::PointOnTriangle> {
+    if (layer.group[f] != group || !look(f)) return std::nullopt;
+    return spatial::closest_point(at, tree.triangles()[f]);
+  };
+  auto found = tree.nearest_chosen(at, choose, expected);
+  if (!found) found = tree.nearest_chosen(at, choose);
   if (!found) return std::nullopt;
-  return place(patches_, *triangles_, *found);
+  return place(layer, tree, *found);
 }
 
-std::optional<Place> Reference::on_line(Index line, const Vec3d& p) const {
+std::optional<Place> Reference::on_patch(Index patch, const Vec3d& p, const Vec3d& normal,
+                                         double expected) const {
+  return closest(patches_, *triangles_, patch, p, expected,
+                 [&](Index f) { return (patches_.normal[f] | normal) >= 0; });
+}
+
+std::optional<Place> Reference::on_line(Index line, const Vec3d& p, double expected) const {
   if (!segments_) return std::nullopt;
-  const auto found =
-      segments_->nearest_chosen(to_point(p), [&](Index f) -> std::optional<spatial::PointOnTriangle> {
-        if (lines_.group[f] != line) return std::nullopt;
-        return spatial::closest_point(to_point(p), segments_->triangles()[f]);
-      });
-  if (!found) return std::nullopt;
-  return place(lines_, *segments_, *found);
+  return closest(lines_, *segments_, line, p, expected, [](Index) { return true; });
 }
 
 }  // namespace multimesh::remeshing

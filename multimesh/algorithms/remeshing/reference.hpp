@@ -34,12 +34,14 @@ class Reference {
             TreeStrata& strata, std::vector<Index>& patch, std::vector<Index>& line);
 
   /// The point of a patch closest to p among those that look the same way as `normal`, within half a space.
-  std::optional<Place> on_patch(Index patch, const OpenMesh::Vec3d& p, const OpenMesh::Vec3d& normal) const;
+  /// If it is within `expected` of p, others that are farther away cost nothing.
+  std::optional<Place> on_patch(Index patch, const OpenMesh::Vec3d& p, const OpenMesh::Vec3d& normal,
+                                double expected) const;
   /// Whether any of the surface is within a distance of p.
   bool has_within(const spatial::Point& p, double distance) const {
-    return triangles_->nearest(p, distance).has_value();
+    return triangles_->has_within(p, distance);
   }
-  std::optional<Place> on_line(Index line, const OpenMesh::Vec3d& p) const;
+  std::optional<Place> on_line(Index line, const OpenMesh::Vec3d& p, double expected) const;
 
  private:
   struct Values {  ///< of one mesh below, at the corners of a triangle or the ends of a segment
@@ -59,6 +61,10 @@ class Reference {
   void number_patches(std::vector<Index>& patch);
   void number_lines(std::vector<Index>& line);
   void add(Layer& layer, Dart d, int k, Index group);
+  /// Of the triangles of a group that `look` is true of.
+  template <class Look>
+  static std::optional<Place> closest(const Layer& layer, const spatial::TriangleTree& tree, Index group,
+                                      const OpenMesh::Vec3d& p, double expected, Look look);
   static Place place(const Layer& layer, const spatial::TriangleTree& tree, const spatial::Nearby& found);
 
   const MultiMesh& tree_;

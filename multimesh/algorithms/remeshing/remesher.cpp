@@ -15,7 +15,7 @@ namespace {
 
 /// How far the surface may be from the input, and how dense the points are by which that is judged; of the
 /// length wanted.
-constexpr double nearness = 0.4, spacing = 0.5;
+constexpr double nearness = 0.37, spacing = 0.5;
 /// A pass is repeated until it finds nothing more to do, at most so often.
 constexpr int most_sweeps = 16;
 /// Vertices that are to move by less than this, of the length wanted, stay.
@@ -58,6 +58,7 @@ RemeshResult Remesher::run() {
     for (int i = 0; i < smoothings; ++i) smooth();
     if (options_.progress) options_.progress(round);
   }
+  raise_least_angles();
   count_edges();
   result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result_;
@@ -86,6 +87,7 @@ std::size_t Remesher::split_long_edges() {
 }
 
 bool Remesher::halve(Dart edge) {
+  const double half = length(edge) / 2;  // the ends are on the input
   root_.star(edge, 1, changing_);
   guard_.take(changing_);
   const Dart v = split(edge);
@@ -99,7 +101,7 @@ bool Remesher::halve(Dart edge) {
   const Freedom freedom = strata_.freedom(v, line);
   Vec3d normal;
   (void)centre(v, normal);
-  if (const auto to = place(v, freedom, line, at(v), normal)) move(v, *to);
+  if (const auto to = place(v, freedom, line, {at(v), half}, normal)) move(v, *to);
   return true;
 }
 
@@ -181,33 +183,39 @@ bool Remesher::collapse(Dart edge) {
   if (n == 2 && ways[1].first < ways[0].first) std::swap(ways[0], ways[1]);
   for (std::size_t i = 0; i < n; ++i) {
     const auto& [longest, d] = ways[i];
-    if (longest > longest_) continue;
-    const Dart b = root_.reorder(d, exchange_ends);
-    if (!shape_.allows(d, at(b), root_.vertex(b))) continue;
-    copies_.collect(tree_, d, 1);
-    bool good = true;
-    for (std::size_t m = 0; good && m < below_.size(); ++m)
-      for (const Copy& c : copies_.of(below_[m]->node())) {
-        const Mesh& mesh = tree_.mesh(c.node);
-        const Index kept = mesh.vertex(mesh.reorder(c.dart, exchange_ends));
-        good = good && sides_below_[m].allows(c.dart, below_[m]->at(kept), kept);
-      }
-    if (!good) continue;
-    const std::optional<Merged> line = merged_line(d);
-    const auto done = hooks_.collapsing ? hooks_.collapsing(d) : std::function<void()>();
-    root_.star(d, 0, changing_);
-    root_.star(b, 0, star_);
-    for (const Dart t : star_)
-      if (root_.vertex(d) != root_.vertex(root_.reorder(t, exchange_ends)) &&
-          root_.vertex(d) != root_.vertex(root_.reorder(t, permutation(2, 0, 1))))
-        changing_.push_back(t);
-    if (!guarded(changing_, 0, [&] { return operations_.collapse(NodeId::root, d, Placement::keep_b()); }))
-      continue;
-    if (line) number_line(*line);
-    if (done) done();
-    return true;
+    if (longest <= longest_ && collapse_guarded(d)) return true;
   }
   return false;
+}
+
+// Of (a, b, ..): a goes to b.
+bool Remesher::collapse_guarded(Dart d) {
+  const Dart b = root_.reorder(d, exchange_ends);
+  if (!shape_.allows(d, at(b), root_.vertex(b)) || !collapse_keeps_sides_below(d)) return false;
+  const std::optional<Merged> line = merged_line(d);
+  const auto done = hooks_.collapsing ? hooks_.collapsing(d) : std::function<void()>();
+  root_.star(d, 0, changing_);
+  root_.star(b, 0, star_);
+  for (const Dart t : star_)
+    if (root_.vertex(d) != root_.vertex(root_.reorder(t, exchange_ends)) &&
+        root_.vertex(d) != root_.vertex(root_.reorder(t, permutation(2, 0, 1))))
+      changing_.push_back(t);
+  if (!guarded(changing_, 0, [&] { return operations_.collapse(NodeId::root, d, Placement::keep_b()); }))
+    return false;
+  if (line) number_line(*line);
+  if (done) done();
+  return true;
+}
+
+bool Remesher::collapse_keeps_sides_below(Dart edge) {
+  copies_.collect(tree_, edge, 1);
+  for (std::size_t m = 0; m < below_.size(); ++m)
+    for (const Copy& c : copies_.of(below_[m]->node())) {
+      const Mesh& mesh = tree_.mesh(c.node);
+      const Index kept = mesh.vertex(mesh.reorder(c.dart, exchange_ends));
+      if (!sides_below_[m].allows(c.dart, below_[m]->at(kept), kept)) return false;
+    }
+  return true;
 }
 
 void Remesher::swap_edges() {
@@ -223,9 +231,13 @@ int Remesher::deviation(Dart vertex, int change) {
   return std::abs(valence + change - (boundary ? 4 : 6));
 }
 
-bool Remesher::swap(Dart edge) {
+bool Remesher::may_be_swapped(Dart edge) {
   if (root_.is_boundary(edge, 1) || !strata_.is_plain(edge)) return false;
-  if (hooks_.keeps_edge && hooks_.keeps_edge(root_.simplex(edge, 1))) return false;
+  return !hooks_.keeps_edge || !hooks_.keeps_edge(root_.simplex(edge, 1));
+}
+
+bool Remesher::swap(Dart edge) {
+  if (!may_be_swapped(edge)) return false;
   const Dart beyond = root_.switch_dart(edge, 2);
   const Dart b = root_.reorder(edge, exchange_ends), l = root_.reorder(edge, permutation(2, 0, 1)),
              r = root_.reorder(beyond, permutation(2, 0, 1));
@@ -235,6 +247,10 @@ bool Remesher::swap(Dart edge) {
   const double angle_now = std::min(least_angle(at(edge), at(b), at(l)), least_angle(at(edge), at(b), at(r)));
   const double angle_then = std::min(least_angle(at(edge), at(r), at(l)), least_angle(at(b), at(r), at(l)));
   if (then == now ? angle_then <= angle_now : angle_then < 0.5 * angle_now) return false;
+  return swap_guarded(edge);
+}
+
+bool Remesher::swap_guarded(Dart edge) {
   if (!shape_.allows_swap(edge)) return false;
   copies_.collect(tree_, edge, 1);
   for (std::size_t m = 0; m < below_.size(); ++m)

@@ -47,9 +47,12 @@ class Remesher {
   std::size_t collapse_short_edges();
   void swap_edges();
   void smooth();
+  void raise_least_angles();
 
   bool may_be_removed(Dart edge);
   bool collapse(Dart edge);
+  bool collapse_guarded(Dart edge);
+  bool collapse_keeps_sides_below(Dart edge);
   /// The edge of a line that a collapse leaves, by its ends.
   struct Merged {
     Index from, to, number;
@@ -58,12 +61,26 @@ class Remesher {
   void number_line(const Merged& line);
   double longest_after_collapse(Dart edge);
   bool swap(Dart edge);
+  bool may_be_swapped(Dart edge);
+  bool swap_guarded(Dart edge);
   int deviation(Dart vertex, int change);
   void smooth(Dart vertex);
   OpenMesh::Vec3d centre(Dart vertex, OpenMesh::Vec3d& normal);
+  struct Wanted {
+    OpenMesh::Vec3d at;
+    double from_input;  ///< no farther than that, as a rule
+  };
   std::optional<Place> place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
-                             const OpenMesh::Vec3d& wanted, const OpenMesh::Vec3d& normal) const;
+                             const Wanted& wanted, const OpenMesh::Vec3d& normal) const;
   bool move(Dart vertex, const Place& to);
+  double least_angle_of(Dart triangle) const;
+  std::vector<std::pair<double, Index>> faces_with_small_angles() const;
+  bool raise_angle(Dart triangle);
+  bool swap_to_raise_angles(Dart edge);
+  bool collapse_to_raise_angles(Dart edge);
+  bool move_to_raise_angles(Dart vertex);
+  std::vector<OpenMesh::Vec3d> near_places(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
+                                           const OpenMesh::Vec3d& normal) const;
   /// An operation on these triangles, undone if it takes the surface too far from the input. `k`: the
   /// triangles that there are then are those around the vertex or the edge of its dart.
   bool guarded(DartBuffer& triangles, int k, const std::function<Outcome()>& operation);
@@ -89,6 +106,7 @@ class Remesher {
   Hooks hooks_;
   double shortest_, longest_, smallest_move_;
   std::vector<bool> placed_;  // per vertex: on the input
+  std::vector<bool> tried_;   // per vertex: to raise angles, in this sweep
 
   TreeStrata strata_;
   Reference reference_;

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multimesh/algorithms/remeshing/changed_triangles.hpp"
+
 namespace multimesh::remeshing {
 
 using OpenMesh::Vec3d;
 
 namespace {
-
-using Corners = std::array<Vec3d, 3>;
 
 /// Of the angle by which a normal may turn in one step.
 constexpr double least_cosine = 0.3;
@@ -55,35 +55,23 @@ bool same_side(const Corners& before, const Corners& after) {
 
 bool StarShape::allows(Dart vertex, const Vec3d& to, Index without) {
   mesh_.star(vertex, 0, star_);
-  for (const Dart t : star_) {
-    std::array<Index, 4> v{};
-    mesh_.vertices(t, v.data());
-    if (v[1] == without || v[2] == without) continue;
-    const Vec3d x = at_.at(v[1]), y = at_.at(v[2]);
-    if (!same_side({at_.at(v[0]), x, y}, {to, x, y})) return false;
-  }
-  return true;
+  return keeps_around(mesh_, at_, star_, to, without, same_side);
 }
 
 bool StarShape::allows_swap(Dart edge) {
   mesh_.star(edge, 1, star_);
   if (star_.size() != 2) return false;
-  std::array<Index, 4> v{}, w{};
-  mesh_.vertices(star_[0], v.data());
-  mesh_.vertices(star_[1], w.data());
-  const Vec3d a = at_.at(v[0]), b = at_.at(v[1]), l = at_.at(v[2]), r = at_.at(w[2]);
-  const Corners left{a, b, l}, right{b, a, r}, low{a, r, l}, high{r, b, l};
-  for (const Corners& before : {left, right})
-    for (const Corners& after : {low, high})
-      if (!same_side(before, after)) return false;
-  return same_side(left, right);
+  const Swapped t(mesh_, at_, star_);
+  return t.keeps_all(same_side) && same_side(t.left, t.right);
 }
 
+// The one across from the shortest side.
 double least_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const auto at = [](const Vec3d& p, const Vec3d& q, const Vec3d& r) {
     return std::atan2(cross(q - p, r - p).norm(), (q - p) | (r - p));
   };
-  return std::min({at(a, b, c), at(b, c, a), at(c, a, b)});
+  const double ab = (b - a).sqrnorm(), bc = (c - b).sqrnorm(), ca = (a - c).sqrnorm();
+  return ab <= bc && ab <= ca ? at(c, a, b) : bc <= ca ? at(a, b, c) : at(b, c, a);
 }
 
 }  // namespace multimesh::remeshing

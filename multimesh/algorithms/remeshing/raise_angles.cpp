@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The last pass: small angles are made larger, by swaps, collapses and moves that look at the shape alone.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "multimesh/algorithms/remeshing/remesher.hpp"
+
+namespace multimesh::remeshing {
+
+using OpenMesh::Vec3d;
+
+namespace {
+
+/// From here on an angle is no longer small.
+constexpr double small_angle = 44 * std::numbers::pi / 180;
+/// Of an equilateral triangle.
+constexpr double best_angle = std::numbers::pi / 3;
+/// The pass is repeated until it finds nothing more to do, at most so often.
+constexpr int most_repeats = 6;
+/// Steps that are tried, of the length wanted.
+constexpr double first_step = 0.2, last_step = 0.005;
+/// Of the places that are better, so many are tried.
+constexpr std::size_t most_tries = 12;
+
+const std::array<Permutation, 3> sides{Permutation{}, edge_ax, edge_bx};
+
+/// What some triangles and edges lack.
+struct Lack {
+  double least = best_angle;  ///< of the angles
+  double angles = 0;          ///< of all triangles, squared
+  int lengths = 0;            ///< edges out of range
+
+  void add(double angle) {
+    const double missing = best_angle - angle;
+    least = std::min(least, angle);
+    angles += missing * missing;
+  }
+  void add_edge(double share) { lengths += share < shortest_share || share > longest_share; }
+  bool is_less_than(const Lack& x) const {
+    return angles < 0.99 * x.angles && least >= x.least && lengths <= x.lengths;
+  }
+};
+
+/// Around a vertex that is moved, from before.
+class Around {
+ public:
+  Around(const Mesh& mesh, const Coordinates& at, const DartBuffer& star, double length) : length_(length) {
+    for (const Dart t : star) {
+      std::array<Index, 4> v{};
+      mesh.vertices(t, v.data());
+      opposite_.emplace_back(at.at(v[1]), at.at(v[2]));
+    }
+  }
+  /// If it goes to p. Triangles that have p as a corner vanish.
+  Lack lack(const Vec3d& p) const {
+    Lack sum;
+    for (const auto& [x, y] : opposite_) {
+      if (x == p || y == p) continue;
+      sum.add(least_angle(p, x, y));
+      sum.add_edge((x - p).norm() / length_), sum.add_edge((y - p).norm() / length_);
+    }
+    return sum;
+  }
+
+ private:
+  double length_;
+  std::vector<std::pair<Vec3d, Vec3d>> opposite_;
+};
+
+/// Directions in which a vertex may go.
+std::vector<Vec3d> directions(Vec3d normal) {
+  normal /= normal.norm();
+  const Vec3d axis = std::abs(normal[0]) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
+  const Vec3d u = cross(normal, axis).normalized(), v = cross(normal, u);
+  const Vec3d s = (u + v) * std::sqrt(0.5), t = (u - v) * std::sqrt(0.5);
+  return {u, s, v, -t, -u, -s, -v, t};
+}
+
+}  // namespace
+
+void Remesher::raise_least_angles() {
+  for (int i = 0; i < most_repeats; ++i) {
+    std::size_t raised = 0;
+    tried_.assign(root_.capacity(0), false);
+    for (const auto& [was, f] : faces_with_small_angles())
+      if (root_.is_live(2, f)) raised += raise_angle(root_.dart_of(2, f));
+    if (raised == 0) return;
+  }
+}
+
+double Remesher::least_angle_of(Dart triangle) const {
+  std::array<Index, 4> v{};
+  root_.vertices(triangle, v.data());
+  return least_angle(positions_.at(v[0]), positions_.at(v[1]), positions_.at(v[2]));
+}
+
+// The smallest ones first.
+std::vector<std::pair<double, Index>> Remesher::faces_with_small_angles() const {
+  std::vector<std::pair<double, Index>> list;
+  for (Index f = 0; f < root_.capacity(2); ++f) {
+    if (!root_.is_live(2, f)) continue;
+    if (const double a = least_angle_of(root_.dart_of(2, f)); a < small_angle) list.emplace_back(a, f);
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+bool Remesher::raise_angle(Dart triangle) {
+  if (least_angle_of(triangle) >= small_angle) return false;
+  std::array<Index, 3> edges{};
+  std::transform(sides.begin(), sides.end(), edges.begin(),
+                 [&](const Permutation& side) { return root_.simplex(root_.reorder(triangle, side), 1); });
+  std::array<Index, 4> corners{};
+  root_.vertices(triangle, corners.data());
+  for (const Index e : edges)
+    if (swap_to_raise_angles(root_.dart_of(1, e)) || collapse_to_raise_angles(root_.dart_of(1, e)))
+      return true;
+  bool moved = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (tried_[corners[i]]) continue;
+    tried_[corners[i]] = true;
+    moved = move_to_raise_angles(root_.dart_of(0, corners[i])) || moved;
+  }
+  return moved;
+}
+
+bool Remesher::swap_to_raise_angles(Dart edge) {
+  if (!may_be_swapped(edge)) return false;
+  const Dart beyond = root_.switch_dart(edge, 2);
+  const Vec3d a = at(edge), b = at(root_.reorder(edge, exchange_ends)),
+              l = at(root_.reorder(edge, permutation(2, 0, 1))),
+              r = at(root_.reorder(beyond, permutation(2, 0, 1)));
+  Lack now, then;
+  now.add(least_angle(a, b, l)), now.add(least_angle(a, b, r));
+  now.add_edge((a - b).norm() / options_.length);
+  then.add(least_angle(a, r, l)), then.add(least_angle(b, r, l));
+  then.add_edge((l - r).norm() / options_.length);
+  if (!then.is_less_than(now) || !swap_guarded(edge)) return false;
+  ++result_.swaps;
+  return true;
+}
+
+bool Remesher::collapse_to_raise_angles(Dart edge) {
+  if (length(edge) >= shortest_share * options_.length || strata_.is_frozen(edge)) return false;
+  for (const Dart d : {edge, root_.reorder(edge, exchange_ends)}) {
+    if (!may_be_removed(d)) continue;
+    root_.star(d, 0, star_);
+    const Around around(root_, positions_, star_, options_.length);
+    if (!around.lack(at(root_.reorder(d, exchange_ends))).is_less_than(around.lack(at(d)))) continue;
+    if (!collapse_guarded(d)) continue;
+    ++result_.collapses;
+    return true;
+  }
+  return false;
+}
+
+/// Where a vertex may go on its surface or line, by one step.
+std::vector<Vec3d> Remesher::near_places(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
+                                         const Vec3d& normal) const {
+  std::vector<Vec3d> ways, places;
+  if (freedom == Freedom::surface) ways = directions(normal);
+  if (freedom == Freedom::line)
+    for (const Dart e : line) ways.push_back((at(root_.reorder(e, exchange_ends)) - at(vertex)).normalized());
+  for (double step = first_step; step > last_step; step /= 2)
+    for (const Vec3d& way : ways) places.push_back(at(vertex) + way * (step * options_.length));
+  return places;
+}
+
+// The places with the least lack are tried first: onto the input, there and with all that is below.
+bool Remesher::move_to_raise_angles(Dart vertex) {
+  std::array<Dart, 2> line{};
+  const Freedom freedom = strata_.freedom(vertex, line);
+  Vec3d normal;
+  (void)centre(vertex, normal);
+  if (freedom == Freedom::none || !(normal.sqrnorm() > 0)) return false;
+  const Around around(root_, positions_, star_, options_.length);
+  const Vec3d here = at(vertex);
+  const Lack now = around.lack(here);
+  std::vector<std::pair<double, Vec3d>> better;
+  for (const Vec3d& p : near_places(vertex, freedom, line, normal))
+    if (const Lack then = around.lack(p); then.is_less_than(now)) better.emplace_back(then.angles, p);
+  std::sort(better.begin(), better.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  if (better.size() > most_tries) better.resize(most_tries);
+  for (const auto& [angles, p] : better) {
+    const auto to = place(vertex, freedom, line, {p, (p - here).norm()}, normal);
+    if (!to || !around.lack(to->position).is_less_than(now) || !move(vertex, *to)) continue;
+    ++result_.moves;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace multimesh::remeshing
