@@ -20,6 +20,10 @@ class Copies {
  public:
   /// Collects the copies of the k-simplex of the root dart d. Re-uses its memory.
   void collect(const MultiMesh& tree, Dart d, int k);
+  /// The same of the k-simplex of a dart of any mesh.
+  void collect(const MultiMesh& tree, NodeId n, Dart d, int k) {
+    collect(tree, n == NodeId::root ? d : tree.to_root(n, d), k);
+  }
 
   std::span<const Copy> all() const noexcept { return list_; }
   std::span<Copy> all() noexcept { return list_; }

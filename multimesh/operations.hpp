@@ -103,7 +103,8 @@ class Propagation {
   // clang-format on
   ///
   /// Equals a split at c and the collapse of c into x. Where the edge lies on a surface inside a tetrahedral
-  /// mesh, x must be one of its two apexes there.
+  /// mesh, x must be one of its two apexes there. Asked for in such a surface, the edge may also lie in the
+  /// boundary of the tetrahedra, of which the two facets of the surface are a part.
   Outcome swap(NodeId n, Dart e);
   /// The same by split and collapse in one transaction; the reference that swap() is tested against.
   Outcome swap_by_split_and_collapse(NodeId n, Dart e);

@@ -2,6 +2,7 @@
 #include "tools/domain_file.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <set>
 
@@ -61,6 +62,21 @@ std::vector<std::int32_t> tags_of_groups(const DomainFile& file, int dimension,
       if (present.contains(tag)) found.push_back(tag);
   }
   return found;
+}
+
+std::vector<std::int32_t> tags_of_patches(const DomainFile& file, const std::vector<std::string>& patches,
+                                          const std::string& option) {
+  const auto group_of = [&](const std::string& patch) {
+    for (const io::SimplexSoup::Group& g : file.soup.groups)
+      if (g.dimension == 2 && g.name == patch) return static_cast<std::int32_t>(g.tag);
+    std::int32_t tag{};
+    const auto [end, error] = std::from_chars(patch.data(), patch.data() + patch.size(), tag);
+    if (error == std::errc() && end == patch.data() + patch.size()) return tag;
+    throw InputError(file.path.string() + ": " + option + " " + patch + ": no patch has this name");
+  };
+  std::vector<std::int32_t> groups;
+  for (const std::string& patch : patches) groups.push_back(group_of(patch));
+  return tags_of_groups(file, 2, groups, option);
 }
 
 TaggedTetrahedra take_tetrahedra(DomainFile& file) {

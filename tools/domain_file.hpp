@@ -31,6 +31,10 @@ DomainFile read_domain_file(const std::filesystem::path& path);
 std::vector<std::int32_t> tags_of_groups(const DomainFile& file, int dimension,
                                          const std::vector<std::int32_t>& groups, const std::string& option);
 
+/// The same of patches that are given by tags or names.
+std::vector<std::int32_t> tags_of_patches(const DomainFile& file, const std::vector<std::string>& patches,
+                                          const std::string& option);
+
 /// The tetrahedra and all that is listed inside them; points that are listed are fixed. The lists of the soup
 /// are moved. \throw InputError if it has no tetrahedron
 TaggedTetrahedra take_tetrahedra(DomainFile& file);

@@ -80,9 +80,13 @@ void check_periodic(DomainFile& file, const DomainInputOptions& options, bool si
 DomainFile read_domain_input(const std::filesystem::path& path, const DomainInputOptions& options,
                              bool sides_stay) {
   DomainFile file = read_domain_file(path);
+  prepare_domain_input(file, options, sides_stay);
+  return file;
+}
+
+void prepare_domain_input(DomainFile& file, const DomainInputOptions& options, bool sides_stay) {
   weld_or_tell(file, options);
   check_periodic(file, options, sides_stay);
-  return file;
 }
 
 }  // namespace multimesh::tools

@@ -25,6 +25,8 @@ void add_periodic_option(CLI::App& command, DomainInputOptions& options);
 /// \throw InputError also for a file with periodic links, which would be lost, without --no-periodic
 DomainFile read_domain_input(const std::filesystem::path& path, const DomainInputOptions& options,
                              bool sides_stay);
+/// The same for a file that was read.
+void prepare_domain_input(DomainFile& file, const DomainInputOptions& options, bool sides_stay);
 
 /// Points at the place of another one. Cost: linear
 std::size_t count_coincident(const io::SimplexSoup& soup);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unistd.h>
 
-#include <charconv>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -146,16 +145,6 @@ std::vector<std::string> reasons(const ImproveArguments& a, const ImproveResult&
   return list;
 }
 
-/// The tag of a patch that is given by its tag or its name.
-TetDomain::Tag patch_tag(const DomainFile& file, const std::string& patch) {
-  for (const io::SimplexSoup::Group& g : file.soup.groups)
-    if (g.dimension == 2 && g.name == patch) return static_cast<TetDomain::Tag>(g.tag);
-  TetDomain::Tag tag{};
-  const auto [end, error] = std::from_chars(patch.data(), patch.data() + patch.size(), tag);
-  if (error == std::errc() && end == patch.data() + patch.size()) return tag;
-  throw InputError(file.path.string() + ": --lock-patch " + patch + ": no patch has this name");
-}
-
 /// One line on stderr that is written over and over; nothing where stderr is no terminal, unless asked for.
 void show_progress(ImproveArguments& a) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
@@ -177,9 +166,7 @@ void run(ImproveArguments a) {
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
   for (int i = 0; i < 3; ++i)
     if (a.splits == split_names[i]) a.options.surface_splits = static_cast<SurfaceSplits>(i);
-  for (const std::string& patch : a.locked_patches)
-    a.options.locked_patches.push_back(patch_tag(file, patch));
-  a.options.locked_patches = tags_of_groups(file, 2, a.options.locked_patches, "--lock-patch");
+  a.options.locked_patches = tags_of_patches(file, a.locked_patches, "--lock-patch");
   TetDomain domain(take_tetrahedra(file), options);
   for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
   const TetTopology before = topology_of(domain.tagged());

@@ -44,9 +44,10 @@ void write_or_keep_aside(const std::filesystem::path& output, const std::vector<
 }  // namespace
 
 void write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
-                        const TetDomain& domain, const Write& write) {
+                        const TetDomain& domain, const Write& write, double displacement) {
   const TaggedTetrahedra joined = domain.tagged();
-  write_or_keep_aside(output, differences(before, topology_of(joined), rounding_of(joined)), write);
+  const double moved = std::max(displacement, rounding_of(joined));
+  write_or_keep_aside(output, differences(before, topology_of(joined), moved), write);
 }
 
 void write_if_same_mesh(const std::filesystem::path& output, const SurfaceTopology& before,

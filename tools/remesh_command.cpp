@@ -15,6 +15,8 @@
 #include "tools/joined_check.hpp"
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
+#include "tools/remesh_arguments.hpp"
+#include "tools/remesh_tetrahedra.hpp"
 #include "tools/surface_file.hpp"
 #include "tools/surface_json.hpp"
 #include "tools/surface_paths.hpp"
@@ -24,19 +26,17 @@ namespace multimesh::tools {
 
 namespace {
 
-struct RemeshArguments {
-  std::string input, output, report;
-  double length = 0, relative_length = 0;  ///< 0: not given
-  double feature_angle = 0;                ///< degrees; 0: not given
-  bool preserve_materials = true, quiet = false, follow_paths = false;
-  SurfaceRemeshOptions options;
-  io::SurfaceWeldOptions weld;
-};
-
 void add_options(CLI::App& command, RemeshArguments& a) {
   const auto length =
       number([](double l) { return l > 0 && std::isfinite(l); }, "above 0, for instance 0.02", "L");
   add_surface_paths(command, a.input, a.output);
+  command.get_option("IN")->description(
+      "surface to read: OBJ, PLY, OFF, STL; surface or tetrahedra: MSH, MEDIT, VTK, VTU, VTP, .node/.ele; "
+      "also "
+      "gzipped");
+  command.get_option("--output")
+      ->description(
+          "file to write: OBJ; or PLY, OFF, STL, which have room for less; tetrahedra: MSH, MEDIT, VTU");
   auto* target = command.add_option_group("Length", "of the edges that are wanted");
   target->add_option("--length", a.length, "in the units of the file")->check(length);
   target->add_option("--relative-length", a.relative_length, "relative to the diagonal of the bounding box")
@@ -60,7 +60,28 @@ void add_options(CLI::App& command, RemeshArguments& a) {
   add_weld_options(command, a.weld);
   command.add_option("--report", a.report, "write what was done as JSON");
   command.add_flag("--quiet", a.quiet, "print errors only");
+#ifdef MULTIMESH_WITH_IMPROVE
+  add_tetrahedra_options(command, a);
+#endif
 }
+
+void check_paths(const RemeshArguments& a) {
+  check_surface_output(a.output);
+  if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
+}
+
+void check_faces(const RemeshArguments& a, const TexturedSurface& surface) {
+  const double faces = expected_faces(surface, a.options.length),
+               most = static_cast<double>(a.options.max_faces);
+  if (!(faces > most)) return;
+  std::ostringstream text;
+  text << a.input << ": edges of length " << a.options.length << " make about " << faces
+       << " faces, more than " << a.options.max_faces << "; give a length of at least "
+       << a.options.length * std::sqrt(faces / most) << ", or a greater --max-faces";
+  throw InputError(text.str());
+}
+
+}  // namespace
 
 Json to_json(const RemeshArguments& a, const RemeshResult& r) {
   Json j;
@@ -84,22 +105,6 @@ Json to_json(const RemeshArguments& a, const RemeshResult& r) {
   return j;
 }
 
-void check_paths(const RemeshArguments& a) {
-  check_surface_output(a.output);
-  if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
-}
-
-void check_faces(const RemeshArguments& a, const TexturedSurface& surface) {
-  const double faces = expected_faces(surface, a.options.length),
-               most = static_cast<double>(a.options.max_faces);
-  if (!(faces > most)) return;
-  std::ostringstream text;
-  text << a.input << ": edges of length " << a.options.length << " make about " << faces
-       << " faces, more than " << a.options.max_faces << "; give a length of at least "
-       << a.options.length * std::sqrt(faces / most) << ", or a greater --max-faces";
-  throw InputError(text.str());
-}
-
 double percent_in_range(const RemeshResult& r) {
   return std::round(1000.0 * static_cast<double>(r.edges_in_range) / static_cast<double>(r.edges)) / 10;
 }
@@ -114,7 +119,12 @@ void warn_of_lengths(const RemeshArguments& a, const RemeshResult& r, std::vecto
   warnings.push_back(text.str());
 }
 
+namespace {
+
 void run(RemeshArguments& a) {
+#ifdef MULTIMESH_WITH_IMPROVE
+  if (remesh_if_tetrahedra(a)) return;
+#endif
   check_paths(a);
   SurfaceFile file = read_surface(a.input, a.weld);
   file.follow_paths = a.follow_paths;
@@ -171,7 +181,8 @@ void add_remesh_command(CLI::App& app, int& exit_code) {
       "one "
       "is\n"
       "longer than twice the length or shorter than a quarter of it.");
-  command->callback([a, &exit_code] {
+  command->callback([a, command, &exit_code] {
+    if (command->count("--weld") > 0) a->weld_text = command->get_option("--weld")->as<std::string>();
     run(*a);
     exit_code = done;
   });

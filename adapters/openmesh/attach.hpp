@@ -87,6 +87,8 @@ class Attached : public AttachedTree {
       leave(at_corners, [this, node = child.node] { return tree().contains(node); });
     return child.node;
   }
+  /// Whether add_texture() was called, and its mesh not detached.
+  bool has_texture() const { return texcoords_ != nullptr && tree().contains(texcoords_->node()); }
   /// Texture coordinates per vertex of the texture. \throw UsageError if add_texture() was not called
   VertexAttribute<TexCoord>& texcoords() {
     require_texture(texcoords_ != nullptr);

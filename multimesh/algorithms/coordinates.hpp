@@ -2,6 +2,7 @@
 #pragma once
 
 #include <OpenMesh/Core/Geometry/VectorT.hh>
+#include <cstddef>
 
 #include "multimesh/attribute.hpp"
 #include "multimesh/operations.hpp"
@@ -18,7 +19,8 @@ class Coordinates {
   virtual void set(Index v, const OpenMesh::Vec3d& x) = 0;
 };
 
-/// Those of an attribute, which must outlive it. `T`: a vector of two or three components.
+/// Those of an attribute, which must outlive it. `T`: a vector of two or three components, OpenMesh's or
+/// Eigen's.
 template <class T>
 class CoordinatesOf final : public Coordinates {
  public:
@@ -26,21 +28,41 @@ class CoordinatesOf final : public Coordinates {
   NodeId node() const override { return values_.node(); }
   OpenMesh::Vec3d at(Index v) const override {
     const T& x = values_[v];
-    if constexpr (T::size_ == 2)
-      return {double(x[0]), double(x[1]), 0};
-    else
-      return {double(x[0]), double(x[1]), double(x[2])};
+    return {double(x[0]), double(x[1]), size == 2 ? 0 : double(x[size - 1])};
   }
   void set(Index v, const OpenMesh::Vec3d& x) override {
-    using Real = typename T::value_type;
-    if constexpr (T::size_ == 2)
-      values_.set(v, T(static_cast<Real>(x[0]), static_cast<Real>(x[1])));
-    else
-      values_.set(v, T(static_cast<Real>(x[0]), static_cast<Real>(x[1]), static_cast<Real>(x[2])));
+    T value = values_[v];
+    for (unsigned i = 0; i < size; ++i) value[i] = static_cast<Real>(x[i]);
+    values_.set(v, value);
   }
 
  private:
+  static constexpr unsigned size = sizeof(T) / sizeof(std::declval<T&>()[0]);
+  using Real = std::remove_cvref_t<decltype(std::declval<T&>()[0])>;
+  static_assert((size == 2 || size == 3) && sizeof(T) == size * sizeof(Real));
+
   VertexAttribute<T>& values_;
+};
+
+/// Coordinates of a mesh that has none of its own, seen through its map: those of a mesh above. A copy, so
+/// that they are read at once; writes go to where they come from, and come back with the operation. The
+/// attribute must be among those of the operations, after the source's. Cost: linear, once.
+class CoordinatesFromParent final : public Coordinates {
+ public:
+  /// `above`: of the parent of n.
+  CoordinatesFromParent(const MultiMesh& tree, NodeId n, Coordinates& above);
+  NodeId node() const override { return node_; }
+  OpenMesh::Vec3d at(Index v) const override { return values_[v]; }
+  /// Only as a part of a relocation.
+  void set(Index v, const OpenMesh::Vec3d& x) override;
+  Attribute& attribute() { return attribute_; }
+
+ private:
+  const MultiMesh& tree_;
+  NodeId node_;
+  Coordinates& above_;
+  std::vector<OpenMesh::Vec3d> values_;
+  VertexAttribute<OpenMesh::Vec3d> attribute_;
 };
 
 }  // namespace multimesh

@@ -12,6 +12,8 @@
 
 namespace multimesh {
 
+class Attribute;
+
 /// How edges of the surface and of curves may be split, at their middle, rounded to doubles.
 enum class SurfaceSplits {
   none,
@@ -50,6 +52,9 @@ struct ImproveOptions {
   bool lock_surface = false;  ///< its vertices, edges and triangles stay the same ones, curves on it too
   std::vector<TetDomain::Tag> locked_patches = {};  ///< so do those of triangles with these tags
   std::vector<TetDomain::Tag> locked_regions = {};  ///< their tetrahedra are not touched
+
+  /// Attributes of others that follow the operations.
+  std::vector<Attribute*> carried = {};
 
   /// Called after each pass and about once a second; may throw to abandon the run: the domain is a valid one
   /// then, as improved so far.

@@ -3,19 +3,12 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <sstream>
 
-#include "adapters/openmesh/root_surface.hpp"
-#include "adapters/openmesh/temporary_property.hpp"
 #include "multimesh/algorithms/remeshing/remesher.hpp"
-#include "multimesh/algorithms/surface_invariants.hpp"
 #include "multimesh/algorithms/vertex_locks.hpp"
 
 namespace multimesh {
-
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
 
 namespace {
 
@@ -51,56 +44,6 @@ void check_faces(const Mesh& root, const Coordinates& positions, const RemeshOpt
   throw InputError(text.str());
 }
 
-RemeshResult run(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
-                 const RemeshOptions& options, remeshing::Hooks hooks) {
-  check(options);
-  OpenMesh::PolyConnectivity& om = openmesh::root_surface(operations, "remesh");
-  check_faces(operations.tree().mesh(NodeId::root), positions, options);
-  openmesh::TemporaryProperty<OpenMesh::FPropHandleT<Index>> patch(om, "mm:patch");
-  openmesh::TemporaryProperty<OpenMesh::EPropHandleT<Index>> line(om, "mm:line");
-  return remeshing::Remesher(operations, positions, below, options, patch.values(), line.values(),
-                             std::move(hooks))
-      .run();
-}
-
-/// What a textured surface has, as attributes of operations on it.
-class SurfaceFields {
- public:
-  explicit SurfaceFields(TexturedSurface& s)
-      : operations(s.tree()), positions_(NodeId::root, s.positions()), positions(positions_) {
-    operations.add(positions_).set(LegalityOptions{.contact = true});
-    for (std::size_t k = 0; k < s.textures().size(); ++k) {
-      auto& values =
-          texcoords_.emplace_back(std::make_unique<VertexAttribute<Vec2d>>(s.textures()[k], s.texcoords(k)));
-      places_.push_back(std::make_unique<CoordinatesOf<Vec2d>>(*values));
-      below.push_back(places_.back().get());
-      invariants_.push_back(std::make_unique<SeamsStayOpen>(*values));
-      operations.add(*values);
-    }
-    if (!s.colors().empty()) {
-      colors_ = std::make_unique<VertexAttribute<Vec3d>>(NodeId::root, s.colors());
-      operations.add(*colors_);
-    }
-    if (s.cut_report().copied_vertices > 0)
-      invariants_.push_back(
-          std::make_unique<CopiesStayApart>(s.tree().mesh(NodeId::root), s.source_positions()));
-    for (const auto& i : invariants_) operations.add(*i);
-  }
-
-  Propagation operations;
-
- private:
-  VertexAttribute<Vec3d> positions_;
-  std::vector<std::unique_ptr<VertexAttribute<Vec2d>>> texcoords_;
-  std::unique_ptr<VertexAttribute<Vec3d>> colors_;
-  std::vector<std::unique_ptr<Coordinates>> places_;
-  std::vector<std::unique_ptr<Invariant>> invariants_;
-
- public:
-  CoordinatesOf<Vec3d> positions;
-  std::vector<Coordinates*> below;
-};
-
 /// Where the texture of any set is cut open or ends.
 CurveKinds texture_edges(const TexturedSurface& s) {
   CurveKinds kinds = no_curve;
@@ -125,25 +68,19 @@ bool length_reached(const RemeshResult& r, double length) {
          r.longest <= 2 * length && r.shortest >= length / 4;
 }
 
-RemeshResult remesh(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
-                    const RemeshOptions& options) {
-  return run(operations, positions, below, options, {});
+RemeshResult remesh(const Embedding& embedding, NodeId node, const RemeshOptions& options) {
+  check(options);
+  if (embedding.tree().mesh(node).dimension() != 2) throw UsageError("remesh: the mesh must be a surface");
+  EmbeddedMesh surface(embedding, node);
+  check_faces(surface.mesh(), surface.positions(), options);
+  return remeshing::Remesher(surface, options).run();
 }
 
 RemeshResult remesh(TexturedSurface& surface, const SurfaceRemeshOptions& options) {
   check(options);
   const VertexLocks locks(surface, options.lock_boundary,
                           options.lock_seams ? texture_edges(surface) : CurveKinds{no_curve});
-  SurfaceFields fields(surface);
-  remeshing::Hooks hooks;
-  if (surface.has_normals()) {
-    const Mesh& root = surface.tree().mesh(NodeId::root);
-    hooks.keeps_edge = [&](Index e) { return surface.hard(e); };
-    hooks.collapsing = [&](Dart e) -> std::function<void()> {
-      return [&surface, merging = MergingEdges(root, e)] { merging.keep_hardness(surface); };
-    };
-  }
-  return run(fields.operations, fields.positions, fields.below, options, std::move(hooks));
+  return remesh(surface.embedding(), NodeId::root, options);
 }
 
 }  // namespace multimesh

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "multimesh/algorithms/coordinates.hpp"
+#include "multimesh/algorithms/embedding.hpp"
 #include "multimesh/algorithms/textured_surface.hpp"
 
 namespace multimesh {
@@ -19,6 +19,9 @@ struct RemeshOptions {
   std::size_t max_faces = 50'000'000;
   /// Called after each round with its number, from 1 on. May throw: the tree is valid then.
   std::function<void(int round)> progress;
+  /// Called between rounds: others may operate on the tree if their operations carry these attributes and
+  /// leave the surface the same set of points.
+  std::function<void(int round, std::span<Attribute* const> carried)> between_rounds;
 };
 
 /// Of a TexturedSurface.
@@ -29,7 +32,7 @@ struct SurfaceRemeshOptions : RemeshOptions {
 
 struct RemeshResult {
   std::size_t splits = 0, collapses = 0, swaps = 0, moves = 0;
-  std::size_t edges = 0;             ///< of the root, at the end
+  std::size_t edges = 0;             ///< of the surface, at the end
   std::size_t edges_in_range = 0;    ///< of these, as long as 4/5 to 4/3 of the length wanted
   double shortest = 0, longest = 0;  ///< of these
   double seconds = 0;                ///< by the wall clock
@@ -37,30 +40,27 @@ struct RemeshResult {
 
 /// How many faces a surface will have with edges of this length, about: those that its area asks for, and one
 /// per edge of its boundary. Infinite if it is too many for a double. Cost: linear.
-double expected_faces(const Mesh& root, const Coordinates& positions, double length);
+double expected_faces(const Mesh& surface, const Coordinates& positions, double length);
 double expected_faces(const TexturedSurface& surface, double length);
 
 /// Whether the length was reached: at least 90 % of the edges are in range, none is longer than twice the
 /// length or shorter than a quarter of it. Lines and vertices that stay may stand in the way.
 bool length_reached(const RemeshResult& result, double length);
 
-/// Isotropic remeshing: edges come to have one length, triangles good angles, vertices about six neighbours.
-/// What the tree has besides its root goes along: each seam of a mesh below, each curve and each boundary
-/// stays a line of the same topology; it is split, collapsed along itself and smoothed along itself. Vertices
-/// where such lines end, meet or change stay where they are, as do locked ones; special edges between two
-/// locked vertices are not split.
+/// Isotropic remeshing of a surface, wherever it is in a tree: edges come to have one length, triangles good
+/// angles, vertices about six neighbours. What the tree has besides goes along: each seam of a mesh below,
+/// each curve and each boundary stays a line of the same topology; it is split, collapsed along itself and
+/// smoothed along itself. Vertices where such lines end, meet or change stay where they are, as do locked
+/// ones; special edges between two locked vertices are not split.
 ///
-/// Positions end on the input's surface and curves, and the coordinates of meshes below are those that the
-/// input has at that point. No triangle turns its normal over; none of a mesh below with coordinates in the
-/// plane flips or loses its area.
+/// Positions end on the input's surface and curves, and charts below have the coordinates that the input has
+/// at that point. No triangle turns its normal over; none of a chart flips or loses its area. What else may
+/// not happen is for the embedding to say.
 ///
-/// `positions`: of the root, of dimension 2. `below`: coordinates of its children of dimension 2 (texture
-/// coordinates); those not given are neither kept from flipping nor moved along. `operations` must have the
-/// attributes of all of them, and what else should follow; its options are kept. \throw InputError for
-/// options out of range, or if more faces are expected than options.max_faces. Cost: O(n log n) per round.
+/// \throw UsageError if the mesh is no surface or has no coordinates in space; InputError for options out of
+/// range, or if more faces are expected than options.max_faces. Cost: O(n log n) per round.
 /// Source: Botsch, Kobbelt, A remeshing approach to multiresolution modeling, 2004.
-RemeshResult remesh(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
-                    const RemeshOptions& options);
+RemeshResult remesh(const Embedding& embedding, NodeId surface, const RemeshOptions& options);
 
 /// The same for a textured surface with all its sets of texture coordinates, colours, curves, labels and hard
 /// edges.

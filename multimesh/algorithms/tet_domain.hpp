@@ -14,6 +14,8 @@
 
 namespace multimesh {
 
+class Embedding;
+
 /// Bits of the flags of a simplex in the lists below.
 enum TetDomainFlag : std::uint8_t {
   feature_simplex = 1,   ///< a point that is a corner, an edge that is a ridge
@@ -91,6 +93,9 @@ class TetDomain {
 
   MultiMesh& tree();
   const MultiMesh& tree() const;
+  /// Its points; tetrahedra stay positive, simplices that the input requires stay as they are, copies of one
+  /// point can be joined again. Must not outlive the domain. Cost: linear
+  Embedding embedding();
   tet::TetMesh& mesh();
   const tet::TetMesh& mesh() const;
   std::optional<NodeId> surface() const;

@@ -34,7 +34,8 @@ TetTopology topology_of(const TaggedTetrahedra& tets);
 
 /// What differs though no change of the mesh of one and the same domain may change it, a sentence each:
 /// numbers of components, handles, cavities, pinched edges and so on; the area of the boundary; the volumes.
-/// \param rounding by how far points may have been displaced, for instance by rounding
+/// \param rounding by how far points may have been displaced, for instance by rounding; area and volumes may
+/// differ by what that can change
 std::vector<std::string> differences(const TetTopology& before, const TetTopology& after, double rounding);
 
 /// Points that lie in the middle of an edge or a face of the boundary without being a corner of it, up to

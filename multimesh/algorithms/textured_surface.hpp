@@ -14,6 +14,8 @@
 
 namespace multimesh {
 
+class Embedding;
+
 struct TexturedSurfaceOptions {
   /// Edges whose two faces' normals differ by at least this become curves, in radians. Faces without area
   /// make none.
@@ -55,6 +57,9 @@ class TexturedSurface {
 
   MultiMesh& tree();
   const MultiMesh& tree() const;
+  /// All its values; nothing that a reader would join comes together; hard edges stay hard. Includes what it
+  /// has now: must not outlive it, and be made anew after edits of others. Cost: linear
+  Embedding embedding();
   std::optional<NodeId> texture() const;     ///< of set 0, if any triangle has texture coordinates
   std::span<const NodeId> textures() const;  ///< by set; empty if there is none
   std::optional<NodeId> seams() const;       ///< the curves of all kinds, if there are any

@@ -6,12 +6,20 @@
 
 namespace multimesh {
 
+bool TreeStrata::is_locked(Dart vertex) const {
+  if (mesh_.is_locked(mesh_.vertex(vertex))) return true;
+  if (node_ == NodeId::root) return false;
+  const Mesh& root = tree_.mesh(NodeId::root);
+  return root.is_locked(root.vertex(tree_.to_root(node_, vertex)));
+}
+
 EdgeKind TreeStrata::kind(Dart e) {
-  if (numbers_ && (*numbers_)[root_.simplex(e, 1)] == 0) return {};
-  copies_.collect(tree_, e, 1);
+  if (numbers_ && (*numbers_)[mesh_.simplex(e, 1)] == 0) return {};
+  copies_.collect(tree_, node_, e, 1);
   EdgeKind kind;
   for (const NodeId n : tree_.nodes()) {
     const Mesh& mesh = tree_.mesh(n);
+    if (mesh.dimension() > 2) continue;
     const std::span<const Copy> here = copies_.of(n);
     // A seam may be interior in its mesh: where two sheets have the edge.
     for (const Copy& c : here)
@@ -22,8 +30,8 @@ EdgeKind TreeStrata::kind(Dart e) {
 }
 
 Freedom TreeStrata::freedom(Dart vertex, std::array<Dart, 2>& line) {
-  if (root_.is_locked(root_.vertex(vertex))) return Freedom::none;
-  edges_around(root_, vertex, edges_);
+  if (is_locked(vertex)) return Freedom::none;
+  edges_around(mesh_, vertex, edges_);
   EdgeKind first;
   int n = 0;
   for (const Dart e : edges_) {
@@ -39,7 +47,7 @@ Freedom TreeStrata::freedom(Dart vertex, std::array<Dart, 2>& line) {
 
 // In every mesh the vertex has as many copies as each of its two edges, and no curve ends there.
 bool TreeStrata::runs_through(Dart vertex, const EdgeKind& kind) {
-  copies_.collect(tree_, vertex, 0);
+  copies_.collect(tree_, node_, vertex, 0);
   for (const NodeId n : tree_.nodes()) {
     const auto of_edge =
         static_cast<std::uint32_t>(std::count(kind.meshes_.begin(), kind.meshes_.end(), index(n)));
@@ -51,7 +59,7 @@ bool TreeStrata::runs_through(Dart vertex, const EdgeKind& kind) {
       if (here.size() != of_edge) return false;
       for (const Copy& c : here)
         if (mesh.is_boundary(c.dart, 0)) return false;
-    } else if (of_edge > 0 ? here.size() != of_edge : here.size() > 1) {
+    } else if (mesh.dimension() == 2 && (of_edge > 0 ? here.size() != of_edge : here.size() > 1)) {
       return false;
     }
   }

@@ -8,7 +8,7 @@
 
 namespace multimesh {
 
-/// What an edge of the root is besides being one: the meshes that have it as a curve or in their boundary.
+/// What an edge of a surface is besides being one: the meshes that have it as a curve or in their boundary.
 /// Edges with the same are of one kind.
 class EdgeKind {
  public:
@@ -20,21 +20,22 @@ class EdgeKind {
   std::vector<std::uint32_t> meshes_;  // by node; once per copy
 };
 
-/// Where a vertex of the root may go.
+/// Where a vertex of a surface may go.
 enum class Freedom : std::uint8_t {
   surface,  ///< anywhere on it
   line,     ///< along the two edges of one kind that meet there
   none,
 };
 
-/// The strata of a tree whose root is a surface: what runs along its edges, asked of the maps and not of
-/// tags.
+/// The strata of a surface in a tree, at its root or below other meshes: what runs along its edges, asked of
+/// the maps and not of tags.
 class TreeStrata {
  public:
-  explicit TreeStrata(const MultiMesh& tree) : tree_(tree), root_(tree.mesh(NodeId::root)) {}
+  explicit TreeStrata(const MultiMesh& tree, NodeId surface = NodeId::root)
+      : tree_(tree), node_(surface), mesh_(tree.mesh(surface)) {}
 
   /// From now on an edge whose number is 0 is plain without a look at its copies: who keeps the numbers
-  /// answers for them. `numbers`: per edge of the root.
+  /// answers for them. `numbers`: per edge of the surface.
   void trust(const std::vector<Index>& numbers) noexcept { numbers_ = &numbers; }
 
   /// Of the edge of (a, b, ..). Cost: that of its copies
@@ -42,9 +43,10 @@ class TreeStrata {
   bool is_plain(Dart e) { return kind(e).is_plain(); }
   /// Whether it may be neither split nor moved: an edge with a kind between two locked vertices.
   bool is_frozen(Dart e) {
-    return root_.is_locked(root_.vertex(e)) &&
-           root_.is_locked(root_.vertex(root_.reorder(e, exchange_ends))) && !is_plain(e);
+    return is_locked(e) && is_locked(mesh_.reorder(e, exchange_ends)) && !is_plain(e);
   }
+  /// Whether the vertex keeps its place in this mesh or the root.
+  bool is_locked(Dart vertex) const;
   /// \param line if it is on one: the two edges, as darts that begin with the vertex. Cost: that of its star
   Freedom freedom(Dart vertex, std::array<Dart, 2>& line);
   Freedom freedom(Dart vertex) {
@@ -56,7 +58,8 @@ class TreeStrata {
   bool runs_through(Dart vertex, const EdgeKind& kind);
 
   const MultiMesh& tree_;
-  const Mesh& root_;
+  NodeId node_;
+  const Mesh& mesh_;
   Copies copies_;
   DartBuffer edges_;
   const std::vector<Index>* numbers_ = nullptr;

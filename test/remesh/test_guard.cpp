@@ -17,28 +17,34 @@ using namespace remeshing;
 using OpenMesh::Vec3d;
 
 /// A pyramid over a square: the tip, vertex 0, is 1 high.
-class Pyramid : public testing::Test, public Coordinates {
+class Pyramid : public testing::Test {
  protected:
   Pyramid()
       : tree_({{2, 5, {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1}}, std::vector<Point>(5)}),
-        at_{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}} {
+        at_{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
+        positions_(NodeId::root, at_),
+        embedding_(*tree_.tree) {
+    embedding_.add(positions_);
+    embedding_.add_coordinates(positions_, Embedding::Kind::space);
+    surface_ = std::make_unique<EmbeddedMesh>(embedding_, NodeId::root);
     root().star(root().dart_of(0, 0), 0, star_);
   }
   const Mesh& root() const { return tree_.tree->mesh(NodeId::root); }
-  NodeId node() const override { return NodeId::root; }
-  Vec3d at(Index v) const override { return at_[v]; }
-  void set(Index v, const Vec3d& x) override { at_[v] = x; }
+  const Coordinates& positions() const { return surface_->positions(); }
 
   Tree tree_;
   std::vector<Vec3d> at_;
+  VertexAttribute<Vec3d> positions_;
+  Embedding embedding_;
+  std::unique_ptr<EmbeddedMesh> surface_;
   DartBuffer star_;
 };
 
 TEST_F(Pyramid, TheTipMayNotGoFarFromWhereItWas) {
   TreeStrata strata(*tree_.tree);
   std::vector<Index> patch(root().capacity(2)), line(root().capacity(1));
-  const Reference input(*tree_.tree, *this, {}, strata, patch, line);
-  DistanceGuard guard(root(), *this, input, 0.2, 0.5);
+  const Reference input(*surface_, strata, patch, line);
+  DistanceGuard guard(root(), positions(), input, 0.2, 0.5);
   const auto settles = [&](double height) {
     const Vec3d was = at_[0];
     at_[0][2] = height;
@@ -57,7 +63,7 @@ TEST_F(Pyramid, TheTipMayNotGoFarFromWhereItWas) {
 TEST_F(Pyramid, PlacesAreOnThePatchThatLooksTheSameWay) {
   TreeStrata strata(*tree_.tree);
   std::vector<Index> patch(root().capacity(2)), line(root().capacity(1));
-  const Reference input(*tree_.tree, *this, {}, strata, patch, line);
+  const Reference input(*surface_, strata, patch, line);
   const auto above = input.on_patch(patch[0], {0, 0, 3}, {0, 0, 1}, 0.1);
   ASSERT_TRUE(above);
   EXPECT_NEAR((above->position - Vec3d(0, 0, 1)).norm(), 0, 1e-12);
@@ -72,8 +78,8 @@ TEST_F(Pyramid, PlacesAreOnThePatchThatLooksTheSameWay) {
 }
 
 TEST_F(Pyramid, TrianglesMayNotTurnOver) {
-  StarShape in_space(root(), *this);
-  PlaneSides in_plane(root(), *this);
+  StarShape in_space(root(), positions());
+  PlaneSides in_plane(root(), positions());
   const Dart tip = root().dart_of(0, 0);
   EXPECT_TRUE(in_space.allows(tip, {0.1, 0, 1}));
   EXPECT_FALSE(in_space.allows(tip, {0, 0, -1}));

@@ -2,9 +2,7 @@
 // The numbers of lines, which operations hand on from edge to edge, say at the end what the maps say.
 #include <gtest/gtest.h>
 
-#include "adapters/openmesh/attach.hpp"
-#include "adapters/openmesh/root_surface.hpp"
-#include "adapters/openmesh/temporary_property.hpp"
+#include "multimesh/algorithms/attached_embedding.hpp"
 #include "multimesh/algorithms/remeshing/remesher.hpp"
 #include "test/openmesh_tools/textured_torus.hpp"
 
@@ -17,26 +15,21 @@ TEST(LineNumbers, StayWithTheirLines) {
     make_torus(mesh, 40, 24, 3, true);
     openmesh::Attached attached(mesh);
     (void)attached.add_texture();
-    CoordinatesOf positions(attached.points());
-    CoordinatesOf places(attached.texcoords());
-    Coordinates* below[] = {&places};
-    auto& om = openmesh::root_surface(attached.operations(), "test");
-    openmesh::TemporaryProperty<OpenMesh::FPropHandleT<Index>> patch(om, "patch");
-    openmesh::TemporaryProperty<OpenMesh::EPropHandleT<Index>> line(om, "line");
     RemeshOptions options;
     options.length = length;
     options.iterations = 4;
-    const auto result =
-        remeshing::Remesher(attached.operations(), positions, below, options, patch.values(), line.values())
-            .run();
+    const Embedding all = embedding(attached);
+    EmbeddedMesh surface(all, NodeId::root);
+    remeshing::Remesher remesher(surface, options);
+    const auto result = remesher.run();
     EXPECT_GT(result.moves, 0U);
     TreeStrata strata(attached.tree());
     const Mesh& root = attached.tree().mesh(NodeId::root);
     std::size_t wrong = 0, lines = 0;
     for (Index e = 0; e < root.capacity(1); ++e) {
       if (!root.is_live(1, e)) continue;
-      lines += line.values()[e] != 0;
-      wrong += (line.values()[e] == 0) != strata.is_plain(root.dart_of(1, e));
+      lines += remesher.lines()[e] != 0;
+      wrong += (remesher.lines()[e] == 0) != strata.is_plain(root.dart_of(1, e));
     }
     EXPECT_GT(lines, 10U);
     EXPECT_EQ(wrong, 0U) << "length " << length;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "adapters/openmesh/attach.hpp"
+#include "multimesh/algorithms/attached_embedding.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/validate.hpp"
@@ -38,14 +38,7 @@ TYPED_TEST(RemeshAttached, RunsUnchangedAloneAndInATree) {
       TypeParam mesh;
       make_torus(mesh, 30, 20, 2, open);
       openmesh::Attached attached(mesh);
-      CoordinatesOf positions(attached.points());
-      std::unique_ptr<Coordinates> places;
-      std::vector<Coordinates*> below;
-      if (children >= texture) {
-        (void)attached.add_texture();
-        places = std::make_unique<CoordinatesOf<OpenMesh::Vec2d>>(attached.texcoords());
-        below.push_back(places.get());
-      }
+      if (children >= texture) (void)attached.add_texture();
       if (children == texture_and_curves)
         (void)attached.add_edges([&](OpenMesh::EdgeHandle e) {
           const auto h = mesh.halfedge_handle(e, 0);
@@ -58,7 +51,7 @@ TYPED_TEST(RemeshAttached, RunsUnchangedAloneAndInATree) {
       RemeshOptions options;
       options.length = 0.25;
       options.iterations = 4;
-      const RemeshResult r = remesh(attached.operations(), positions, below, options);
+      const RemeshResult r = remesh(embedding(attached), NodeId::root, options);
       EXPECT_GT(r.moves, 0U);
       EXPECT_EQ(validate(attached.tree()), Problems{});
       attached.garbage_collection();
@@ -73,21 +66,6 @@ TYPED_TEST(RemeshAttached, RunsUnchangedAloneAndInATree) {
       if (children == none) continue;
       EXPECT_EQ(mirrored_triangles(mesh), 0U);
     }
-}
-
-TYPED_TEST(RemeshAttached, LeavesNoPropertyBehind) {
-  TypeParam mesh;
-  make_torus(mesh, 12, 8, 1, false);
-  openmesh::Attached attached(mesh);
-  CoordinatesOf positions(attached.points());
-  RemeshOptions options;
-  options.length = 0.6;
-  options.iterations = 1;
-  (void)remesh(attached.operations(), positions, {}, options);
-  OpenMesh::FPropHandleT<Index> patch;
-  OpenMesh::EPropHandleT<Index> line;
-  EXPECT_FALSE(mesh.get_property_handle(patch, "mm:patch"));
-  EXPECT_FALSE(mesh.get_property_handle(line, "mm:line"));
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ Workspace::Workspace(TetDomain& domain, const ImproveOptions& options)
       operations_(domain.tree()) {
   operations_.add(positions_);
   operations_.add(joined_);
+  for (Attribute* a : options.carried) operations_.add(*a);
 }
 
 std::size_t Workspace::count_tets() const {

@@ -104,6 +104,21 @@ void DistanceGuard::give_back() {
   for (const Taken& t : taken_) put(t.point, t.triangle);
 }
 
+void DistanceGuard::sort_anew() {
+  std::vector<spatial::Triangle> triangles;
+  std::vector<Index> facets;
+  for (Index f = 0; f < root_.capacity(2); ++f) {
+    if (!root_.is_live(2, f)) continue;
+    triangles.push_back(triangle(root_.dart_of(2, f)));
+    facets.push_back(f);
+  }
+  const spatial::TriangleTree tree(std::move(triangles));
+  std::fill(first_.begin(), first_.end(), 0);
+  for (Index p = 0; p < points_.size(); ++p)
+    if (const auto found = tree.nearest(points_[p], std::numeric_limits<double>::infinity()))
+      put(p, facets[found->facet]);
+}
+
 bool DistanceGuard::settle(const DartBuffer& triangles) {
   find_nearest(triangles, bound_);
   if (settled_.size() < taken_.size() || !is_near_input(triangles)) return false;

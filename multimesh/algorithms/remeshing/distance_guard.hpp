@@ -26,6 +26,8 @@ class DistanceGuard {
   void hand_on(const DartBuffer& triangles);
   /// Gives them back to the triangles that had them.
   void give_back();
+  /// Gives all points to the nearest triangles, after others have given these new indices. Cost: O(n log n)
+  void sort_anew();
 
  private:
   struct Taken {

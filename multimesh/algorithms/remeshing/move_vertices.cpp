@@ -89,8 +89,10 @@ bool Remesher::assign(const Place& to) {
 }
 
 bool Remesher::move(Dart vertex, const Place& to) {
-  copies_.collect(tree_, vertex, 0);
-  if (!assign(to) || !shape_.allows(vertex, to.position)) return false;
+  copies_.collect(tree_, node_, vertex, 0);
+  if (!assign(to)) return false;
+  for (const Copy& c : copies_.of(node_))
+    if (!shape_.allows(c.dart, to.position)) return false;
   for (const Write& w : writes_)
     if (!sides_below_[w.mesh].allows(w.dart, w.at)) return false;
   const auto write = [&](const Event&) {
@@ -100,8 +102,8 @@ bool Remesher::move(Dart vertex, const Place& to) {
       c.set(tree_.mesh(c.node()).vertex(w.dart), w.at);
     }
   };
-  root_.star(vertex, 0, changing_);
-  return guarded(changing_, 0, [&] { return operations_.relocate(NodeId::root, vertex, write); });
+  read_stars(copies_, 0, changing_);
+  return guarded([&] { return operations_.relocate(node_, vertex, write); });
 }
 
 }  // namespace multimesh::remeshing

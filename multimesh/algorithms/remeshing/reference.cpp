@@ -11,9 +11,14 @@ namespace multimesh::remeshing {
 
 using OpenMesh::Vec3d;
 
-Reference::Reference(const MultiMesh& tree, const Coordinates& positions, std::span<Coordinates* const> below,
-                     TreeStrata& strata, std::vector<Index>& patch, std::vector<Index>& line)
-    : tree_(tree), root_(tree.mesh(NodeId::root)), positions_(positions), below_(below), strata_(strata) {
+Reference::Reference(const EmbeddedMesh& surface, TreeStrata& strata, std::vector<Index>& patch,
+                     std::vector<Index>& line)
+    : tree_(surface.tree()),
+      node_(surface.node()),
+      root_(surface.mesh()),
+      positions_(surface.positions()),
+      below_(surface.charts()),
+      strata_(strata) {
   number_patches(patch);
   number_lines(line);
   add_triangles(patch);
@@ -81,7 +86,7 @@ void Reference::add(Layer& layer, Dart d, int k, Index group) {
   for (std::size_t m = 0; m < below_.size(); ++m) {
     const NodeId n = below_[m]->node();
     copies.clear();
-    tree_.to_descendant(NodeId::root, d, k, n, copies);
+    tree_.to_descendant(node_, d, k, n, copies);
     for (const Dart c : copies) {
       tree_.mesh(n).vertices(c, v.data());
       layer.below.push_back({m, {below_[m]->at(v[0]), below_[m]->at(v[1]), below_[m]->at(v[corner(2)])}});

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adapters/embree/triangle_tree.hpp"
-#include "multimesh/algorithms/coordinates.hpp"
+#include "multimesh/algorithms/embedding.hpp"
 #include "multimesh/algorithms/tree_strata.hpp"
 
 namespace multimesh::remeshing {
@@ -27,11 +27,10 @@ struct Place {
 /// vertex belongs to one of them all its life, so that it never jumps to another sheet.
 class Reference {
  public:
-  /// Numbers of patches and lines are kept in properties of the root's faces and edges, which the operations
-  /// hand on: `patch` per face; `line` per edge, one more than the number, 0 for plain edges. Cost: O(n log
-  /// n)
-  Reference(const MultiMesh& tree, const Coordinates& positions, std::span<Coordinates* const> below,
-            TreeStrata& strata, std::vector<Index>& patch, std::vector<Index>& line);
+  /// Numbers of patches and lines are those of faces and edges, which the operations hand on: `patch` per
+  /// face; `line` per edge, one more than the number, 0 for plain edges. Cost: O(n log n)
+  Reference(const EmbeddedMesh& surface, TreeStrata& strata, std::vector<Index>& patch,
+            std::vector<Index>& line);
 
   /// The point of a patch closest to p among those that look the same way as `normal`, within half a space.
   /// If it is within `expected` of p, others that are farther away cost nothing.
@@ -68,6 +67,7 @@ class Reference {
   static Place place(const Layer& layer, const spatial::TriangleTree& tree, const spatial::Nearby& found);
 
   const MultiMesh& tree_;
+  NodeId node_;
   const Mesh& root_;
   const Coordinates& positions_;
   std::span<Coordinates* const> below_;

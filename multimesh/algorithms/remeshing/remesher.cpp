@@ -25,27 +25,29 @@ constexpr int smoothings = 2;
 
 }  // namespace
 
-Remesher::Remesher(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
-                   const RemeshOptions& options, std::vector<Index>& patch, std::vector<Index>& line,
-                   Hooks hooks)
-    : operations_(operations),
-      tree_(operations.tree()),
-      root_(tree_.mesh(NodeId::root)),
-      positions_(positions),
-      below_(below),
+Remesher::Remesher(EmbeddedMesh& surface, const RemeshOptions& options)
+    : surface_(surface),
+      operations_(surface.operations()),
+      tree_(surface.tree()),
+      node_(surface.node()),
+      root_(surface.mesh()),
+      positions_(surface.positions()),
+      below_(surface.charts()),
       options_(options),
-      patch_(patch),
-      line_(line),
-      hooks_(std::move(hooks)),
+      patch_(root_.capacity(2), no_index),
+      line_(root_.capacity(1), 0),
+      patch_column_(node_, 2, patch_),
+      line_column_(node_, 1, line_, ColumnRules<Index>::larger()),
       shortest_(of_average * shortest_share * options.length),
       longest_(of_average * longest_share * options.length),
       smallest_move_(smallest_share * options.length),
-      strata_(tree_),
-      reference_(tree_, positions, below, strata_, patch, line),
-      guard_(root_, positions, reference_, nearness * options.length, spacing * options.length),
-      shape_(root_, positions) {
-  strata_.trust(line);
-  for (const Coordinates* c : below) sides_below_.emplace_back(tree_.mesh(c->node()), *c);
+      strata_(tree_, node_),
+      reference_(surface, strata_, patch_, line_),
+      guard_(root_, positions_, reference_, nearness * options.length, spacing * options.length),
+      shape_(root_, positions_) {
+  operations_.add(patch_column_).add(line_column_);
+  strata_.trust(line_);
+  for (const Coordinates* c : below_) sides_below_.emplace_back(tree_.mesh(c->node()), *c);
 }
 
 RemeshResult Remesher::run() {
@@ -57,11 +59,19 @@ RemeshResult Remesher::run() {
     swap_edges();
     for (int i = 0; i < smoothings; ++i) smooth();
     if (options_.progress) options_.progress(round);
+    if (options_.between_rounds && round < options_.iterations) let_others_work(round);
   }
   raise_least_angles();
   count_edges();
   result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result_;
+}
+
+void Remesher::let_others_work(int round) {
+  std::vector<Attribute*> carried = surface_.inherited();
+  carried.insert(carried.end(), {&patch_column_, &line_column_});
+  options_.between_rounds(round, carried);
+  guard_.sort_anew();
 }
 
 // Edges in reach are halved once at a time, and what is too short then is collapsed: many long edges side by
@@ -88,14 +98,16 @@ std::size_t Remesher::split_long_edges() {
 
 bool Remesher::halve(Dart edge) {
   const double half = length(edge) / 2;  // the ends are on the input
-  root_.star(edge, 1, changing_);
+  copies_.collect(tree_, node_, edge, 1);
+  read_stars(copies_, 1, changing_);
   guard_.take(changing_);
   const Dart v = split(edge);
   if (v == no_dart) {
     guard_.give_back();
     return false;
   }
-  root_.star(v, 0, changing_);
+  copies_.collect(tree_, node_, v, 0);
+  read_stars(copies_, 0, changing_);
   guard_.hand_on(changing_);
   std::array<Dart, 2> line{};
   const Freedom freedom = strata_.freedom(v, line);
@@ -109,9 +121,9 @@ bool Remesher::halve(Dart edge) {
 Dart Remesher::split(Dart edge) {
   const std::vector<PlaneSides::Count> before = count_sides(edge, 1);
   Transaction undone = operations_.transaction();
-  const Outcome o = operations_.split(NodeId::root, edge);
+  const Outcome o = operations_.split(node_, edge);
   if (!o) return no_dart;
-  const Dart v = root_.reorder(o.root, exchange_ends);
+  const Dart v = root_.reorder(o.dart, exchange_ends);
   const std::vector<PlaneSides::Count> after = count_sides(v, 0);
   for (std::size_t m = 0; m < below_.size(); ++m)
     if (!PlaneSides::halved(before[m], after[m])) return no_dart;
@@ -121,7 +133,8 @@ Dart Remesher::split(Dart edge) {
 
 // Of the triangles around all copies of a simplex in each mesh below.
 std::vector<PlaneSides::Count> Remesher::count_sides(Dart d, int k) {
-  copies_.collect(tree_, d, k);
+  if (below_.empty()) return {};
+  copies_.collect(tree_, node_, d, k);
   std::vector<PlaneSides::Count> counts(below_.size());
   for (std::size_t m = 0; m < below_.size(); ++m)
     for (const Copy& c : copies_.of(below_[m]->node())) sides_below_[m].count(c.dart, k, counts[m]);
@@ -142,13 +155,66 @@ bool Remesher::may_be_removed(Dart edge) {
   return freedom == Freedom::surface || (freedom == Freedom::line && !strata_.is_plain(edge));
 }
 
-bool Remesher::guarded(DartBuffer& triangles, int k, const std::function<Outcome()>& operation) {
-  guard_.take(triangles);
+void Remesher::read_stars(const Copies& copies, int k, DartBuffer& triangles) {
+  triangles.clear();
+  const std::span<const Copy> here = copies.of(node_);
+  for (const Copy& c : here) {
+    root_.star(c.dart, k, star_);
+    triangles.insert(triangles.end(), star_.begin(), star_.end());
+  }
+  drop_repeated(triangles, here.size());
+}
+
+void Remesher::read_stars_of_ends(const Copies& edges, DartBuffer& triangles) {
+  triangles.clear();
+  const std::span<const Copy> here = edges.of(node_);
+  for (const Copy& c : here) {
+    const Index a = root_.vertex(c.dart);
+    root_.star(c.dart, 0, star_);
+    triangles.insert(triangles.end(), star_.begin(), star_.end());
+    root_.star(root_.reorder(c.dart, exchange_ends), 0, star_);
+    for (const Dart t : star_) {
+      std::array<Index, 4> v{};
+      root_.vertices(t, v.data());
+      if (v[1] != a && v[2] != a) triangles.push_back(t);
+    }
+  }
+  drop_repeated(triangles, here.size());
+}
+
+// Stars of several copies may have triangles in common.
+void Remesher::drop_repeated(DartBuffer& triangles, std::size_t stars) const {
+  if (stars < 2) return;
+  const auto facet = [&](Dart t) { return root_.facet(t); };
+  std::ranges::sort(triangles, {}, facet);
+  const auto repeated = std::ranges::unique(triangles, {}, facet);
+  triangles.erase(repeated.begin(), repeated.end());
+}
+
+bool Remesher::charts_allow_collapse() const {
+  for (std::size_t m = 0; m < below_.size(); ++m)
+    for (const Copy& c : copies_.of(below_[m]->node())) {
+      const Mesh& mesh = tree_.mesh(c.node);
+      const Index kept = mesh.vertex(mesh.reorder(c.dart, exchange_ends));
+      if (!sides_below_[m].allows(c.dart, below_[m]->at(kept), kept)) return false;
+    }
+  return true;
+}
+
+bool Remesher::charts_allow_swap() const {
+  for (std::size_t m = 0; m < below_.size(); ++m)
+    for (const Copy& c : copies_.of(below_[m]->node()))
+      if (!sides_below_[m].allows_swap(c.dart)) return false;
+  return true;
+}
+
+bool Remesher::guarded(const std::function<Outcome()>& operation) {
+  guard_.take(changing_);
   {
     Transaction undone = operations_.transaction();
     if (const Outcome o = operation()) {
-      root_.star(o.root, k, triangles);
-      if (guard_.settle(triangles)) {
+      read_stars(operations_.copies(), o.changed_dimension, changing_);
+      if (guard_.settle(changing_)) {
         undone.commit();
         return true;
       }
@@ -156,22 +222,6 @@ bool Remesher::guarded(DartBuffer& triangles, int k, const std::function<Outcome
   }
   guard_.give_back();
   return false;
-}
-
-// A line through a goes on from b afterwards: by an edge that may have been no part of it.
-std::optional<Remesher::Merged> Remesher::merged_line(Dart edge) {
-  const Index number = line_[root_.simplex(edge, 1)];
-  std::array<Dart, 2> line{};
-  if (number == 0 || strata_.freedom(edge, line) != Freedom::line) return std::nullopt;
-  const Dart next = root_.same_simplex(line[0], edge, 1) ? line[1] : line[0];
-  return Merged{root_.vertex(root_.reorder(edge, exchange_ends)),
-                root_.vertex(root_.reorder(next, exchange_ends)), number};
-}
-
-void Remesher::number_line(const Merged& line) {
-  edges_around(root_, root_.dart_of(0, line.from), edges_);
-  for (const Dart e : edges_)
-    if (root_.vertex(root_.reorder(e, exchange_ends)) == line.to) line_[root_.simplex(e, 1)] = line.number;
 }
 
 bool Remesher::collapse(Dart edge) {
@@ -191,30 +241,19 @@ bool Remesher::collapse(Dart edge) {
 // Of (a, b, ..): a goes to b.
 bool Remesher::collapse_guarded(Dart d) {
   const Dart b = root_.reorder(d, exchange_ends);
-  if (!shape_.allows(d, at(b), root_.vertex(b)) || !collapse_keeps_sides_below(d)) return false;
-  const std::optional<Merged> line = merged_line(d);
-  const auto done = hooks_.collapsing ? hooks_.collapsing(d) : std::function<void()>();
-  root_.star(d, 0, changing_);
-  root_.star(b, 0, star_);
-  for (const Dart t : star_)
-    if (root_.vertex(d) != root_.vertex(root_.reorder(t, exchange_ends)) &&
-        root_.vertex(d) != root_.vertex(root_.reorder(t, permutation(2, 0, 1))))
-      changing_.push_back(t);
-  if (!guarded(changing_, 0, [&] { return operations_.collapse(NodeId::root, d, Placement::keep_b()); }))
-    return false;
-  if (line) number_line(*line);
-  if (done) done();
-  return true;
+  if (!shape_.allows(d, at(b), root_.vertex(b))) return false;
+  copies_.collect(tree_, node_, d, 1);
+  if (!others_allow_collapse(d) || !charts_allow_collapse()) return false;
+  read_stars_of_ends(copies_, changing_);
+  return guarded([&] { return operations_.collapse(node_, d, Placement::keep_b()); });
 }
 
-bool Remesher::collapse_keeps_sides_below(Dart edge) {
-  copies_.collect(tree_, edge, 1);
-  for (std::size_t m = 0; m < below_.size(); ++m)
-    for (const Copy& c : copies_.of(below_[m]->node())) {
-      const Mesh& mesh = tree_.mesh(c.node);
-      const Index kept = mesh.vertex(mesh.reorder(c.dart, exchange_ends));
-      if (!sides_below_[m].allows(c.dart, below_[m]->at(kept), kept)) return false;
-    }
+// Of the other copies that the surface has of the edge.
+bool Remesher::others_allow_collapse(Dart edge) {
+  for (const Copy& c : copies_.of(node_)) {
+    const Dart b = root_.reorder(c.dart, exchange_ends);
+    if (!root_.same_simplex(c.dart, edge, 1) && !shape_.allows(c.dart, at(b), root_.vertex(b))) return false;
+  }
   return true;
 }
 
@@ -232,8 +271,7 @@ int Remesher::deviation(Dart vertex, int change) {
 }
 
 bool Remesher::may_be_swapped(Dart edge) {
-  if (root_.is_boundary(edge, 1) || !strata_.is_plain(edge)) return false;
-  return !hooks_.keeps_edge || !hooks_.keeps_edge(root_.simplex(edge, 1));
+  return !root_.is_boundary(edge, 1) && strata_.is_plain(edge);
 }
 
 bool Remesher::swap(Dart edge) {
@@ -252,12 +290,10 @@ bool Remesher::swap(Dart edge) {
 
 bool Remesher::swap_guarded(Dart edge) {
   if (!shape_.allows_swap(edge)) return false;
-  copies_.collect(tree_, edge, 1);
-  for (std::size_t m = 0; m < below_.size(); ++m)
-    for (const Copy& c : copies_.of(below_[m]->node()))
-      if (!sides_below_[m].allows_swap(c.dart)) return false;
+  copies_.collect(tree_, node_, edge, 1);
+  if (!charts_allow_swap()) return false;
   root_.star(edge, 1, changing_);
-  return guarded(changing_, 1, [&] { return operations_.swap(NodeId::root, edge); });
+  return guarded([&] { return operations_.swap(node_, edge); });
 }
 
 }  // namespace multimesh::remeshing

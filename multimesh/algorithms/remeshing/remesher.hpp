@@ -6,12 +6,14 @@
 #include <span>
 #include <vector>
 
+#include "multimesh/algorithms/embedding.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/remeshing/distance_guard.hpp"
 #include "multimesh/algorithms/remeshing/plane_sides.hpp"
 #include "multimesh/algorithms/remeshing/reference.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
 #include "multimesh/algorithms/tree_strata.hpp"
+#include "multimesh/column.hpp"
 
 namespace multimesh::remeshing {
 
@@ -21,24 +23,17 @@ inline constexpr double shortest_share = 4.0 / 5, longest_share = 4.0 / 3;
 /// (docs/remesh.md); who asks for a length means the average.
 inline constexpr double of_average = 1 / 0.92;
 
-/// What else an application keeps.
-struct Hooks {
-  /// Edges of the root that are not swapped.
-  std::function<bool(Index edge)> keeps_edge;
-  /// Called before a collapse of (a, b, ..); what it returns is called if it is done.
-  std::function<std::function<void()>(Dart edge)> collapsing;
-};
-
 /// One run. The passes change the mesh so that lengths come into range; between them vertices are moved to
 /// where triangles are regular, always onto the input.
 class Remesher {
  public:
-  Remesher(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
-           const RemeshOptions& options, std::vector<Index>& patch, std::vector<Index>& line,
-           Hooks hooks = {});
+  Remesher(EmbeddedMesh& surface, const RemeshOptions& options);
   RemeshResult run();
+  /// Per edge: the number of its line; 0 for plain edges.
+  const std::vector<Index>& lines() const noexcept { return line_; }
 
  private:
+  void let_others_work(int round);
   void refine();
   std::size_t split_long_edges();
   bool halve(Dart edge);
@@ -52,13 +47,6 @@ class Remesher {
   bool may_be_removed(Dart edge);
   bool collapse(Dart edge);
   bool collapse_guarded(Dart edge);
-  bool collapse_keeps_sides_below(Dart edge);
-  /// The edge of a line that a collapse leaves, by its ends.
-  struct Merged {
-    Index from, to, number;
-  };
-  std::optional<Merged> merged_line(Dart edge);
-  void number_line(const Merged& line);
   double longest_after_collapse(Dart edge);
   bool swap(Dart edge);
   bool may_be_swapped(Dart edge);
@@ -81,9 +69,16 @@ class Remesher {
   bool move_to_raise_angles(Dart vertex);
   std::vector<OpenMesh::Vec3d> near_places(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
                                            const OpenMesh::Vec3d& normal) const;
-  /// An operation on these triangles, undone if it takes the surface too far from the input. `k`: the
-  /// triangles that there are then are those around the vertex or the edge of its dart.
-  bool guarded(DartBuffer& triangles, int k, const std::function<Outcome()>& operation);
+  /// The triangles around all copies that the surface has of a k-simplex; around both ends of edges.
+  void read_stars(const Copies& copies, int k, DartBuffer& triangles);
+  void read_stars_of_ends(const Copies& edges, DartBuffer& triangles);
+  void drop_repeated(DartBuffer& triangles, std::size_t stars) const;
+  /// Whether the triangles below, at all copies of (a, b, ..), allow a to go to b, or a swap.
+  bool charts_allow_collapse() const;
+  bool others_allow_collapse(Dart edge);
+  bool charts_allow_swap() const;
+  /// An operation on the triangles of changing_, undone if it takes the surface too far from the input.
+  bool guarded(const std::function<Outcome()>& operation);
   bool assign(const Place& to);
 
   OpenMesh::Vec3d at(Dart d) const { return positions_.at(root_.vertex(d)); }
@@ -96,14 +91,16 @@ class Remesher {
   std::vector<std::pair<double, Index>> edges_in(double shortest, double longest);
   void count_edges();
 
+  EmbeddedMesh& surface_;
   Propagation& operations_;
   const MultiMesh& tree_;
+  NodeId node_;
   const Mesh& root_;
   Coordinates& positions_;
   std::span<Coordinates* const> below_;
   const RemeshOptions& options_;
-  std::vector<Index>&patch_, &line_;
-  Hooks hooks_;
+  std::vector<Index> patch_, line_;  // of faces and edges, see Reference
+  Column<Index> patch_column_, line_column_;
   double shortest_, longest_, smallest_move_;
   std::vector<bool> placed_;  // per vertex: on the input
   std::vector<bool> tried_;   // per vertex: to raise angles, in this sweep
@@ -112,7 +109,7 @@ class Remesher {
   Reference reference_;
   DistanceGuard guard_;
   StarShape shape_;
-  std::vector<PlaneSides> sides_below_;
+  mutable std::vector<PlaneSides> sides_below_;
   RemeshResult result_;
 
   struct Write {

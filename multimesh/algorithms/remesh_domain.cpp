@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/algorithms/remesh_domain.hpp"
+
+#include <algorithm>
+
+#include "multimesh/algorithms/embedding.hpp"
+#include "multimesh/algorithms/simplices_stay.hpp"
+
+namespace multimesh {
+
+namespace {
+
+ImproveOptions of_tetrahedra(const DomainRemeshOptions& o, int passes) {
+  ImproveOptions improving;
+  improving.target_amips = o.target_amips;
+  improving.max_passes = passes;
+  improving.lock_surface = true;
+  improving.locked_regions = o.locked_regions;
+  return improving;
+}
+
+void lock(Embedding& embedding, const TetDomain& domain, const DomainRemeshOptions& o) {
+  if (o.locked_patches.empty() && o.locked_regions.empty()) return;
+  embedding.add<SimplicesStay>("locked patches and regions stay", [&](NodeId n, Index facet) {
+    if (n == NodeId::root)
+      return std::ranges::find(o.locked_regions, domain.regions()[facet]) != o.locked_regions.end();
+    return n == domain.surface() &&
+           std::ranges::find(o.locked_patches, domain.patch(facet)) != o.locked_patches.end();
+  });
+}
+
+}  // namespace
+
+DomainRemeshResult remesh(TetDomain& domain, const DomainRemeshOptions& options) {
+  if (!domain.surface()) throw InputError("remesh: the tetrahedra have no surface");
+  Embedding embedding = domain.embedding();
+  lock(embedding, domain, options);
+  RemeshOptions rounds = options;
+  rounds.between_rounds = [&](int, std::span<Attribute* const> carried) {
+    ImproveOptions improving = of_tetrahedra(options, options.passes_between);
+    improving.carried.assign(carried.begin(), carried.end());
+    (void)improve(domain, improving);
+  };
+  DomainRemeshResult r;
+  r.surface = remesh(embedding, *domain.surface(), rounds);
+  r.tetrahedra = improve(domain, of_tetrahedra(options, options.passes_at_end));
+  return r;
+}
+
+}  // namespace multimesh

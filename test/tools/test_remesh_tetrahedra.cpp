@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// multimesh remesh of a file of tetrahedra.
+#include "program.hpp"
+
+namespace multimesh::tools::test {
+namespace {
+
+/// Two boxes of 3 x 6 x 6 cubes side by side, regions 1 and 2, as MEDIT text.
+std::string two_boxes() {
+  constexpr int n = 6;
+  std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n343\n";
+  for (int i = 0; i < 343; ++i)
+    text += std::to_string(i / 49) + " " + std::to_string(i / 7 % 7) + " " + std::to_string(i % 7) + " 0\n";
+  text += "Tetrahedra\n" + std::to_string(6 * n * n * n) + "\n";
+  const auto number = [](std::array<int, 3> p) { return std::to_string(49 * p[0] + 7 * p[1] + p[2] + 1); };
+  for (int c = 0; c < n * n * n; ++c)
+    for (const std::array<int, 3>& order : std::initializer_list<std::array<int, 3>>{
+             {0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}}) {
+      std::array<int, 3> p{c / n / n, c / n % n, c % n};
+      const int region = p[0] < 3 ? 1 : 2;
+      text += number(p);
+      for (const int axis : order) ++p[static_cast<std::size_t>(axis)], text += " " + number(p);
+      text += " " + std::to_string(region) + "\n";
+    }
+  return text + "End\n";
+}
+
+class RemeshTetrahedra : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    file("boxes.mesh", two_boxes());
+  }
+  Ended remesh(const Arguments& more, const std::string& out = "out.msh",
+               const std::string& in = "boxes.mesh") const {
+    Arguments all{"remesh", in, "-o", out};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  }
+};
+
+TEST_F(RemeshTetrahedra, KeepsWhatTheReportSays) {
+  for (const char* length : {"0.7", "1.8"}) {
+    const Ended e = remesh({"--length", length, "--feature-angle", "40", "--report", "r.json"});
+    ASSERT_EQ(e.status, 0) << e.err;
+    const Json r = json("r.json"), read = info("out.msh");
+    EXPECT_GT(r["edges_in_range"].get<double>(), 0.9 * r["edges"].get<double>()) << e.err;
+    EXPECT_EQ(r["after"]["tetrahedra"]["tetrahedra"], read["meshes"]["tetrahedra"]["tetrahedra"]);
+    EXPECT_EQ(r["after"]["surface"]["faces"], read["meshes"]["surface"]["faces"]);
+    for (const char* key : {"components", "euler_characteristic", "boundary_loops"})
+      EXPECT_EQ(r["before"]["surface"][key], r["after"]["surface"][key]) << key;
+    for (const Json& region : read["meshes"]["regions"])
+      EXPECT_NEAR(region["volume"].get<double>(), 108, 1e-6);
+    EXPECT_EQ(run({"validate", "out.msh"}).status, 0);
+  }
+}
+
+TEST_F(RemeshTetrahedra, WritesEveryFormat) {
+  for (const char* out : {"out.msh", "out.mesh", "out.vtu"}) {
+    const Ended e = remesh({"--length", "1.5", "--feature-angle", "40", "--iterations", "2"}, out);
+    EXPECT_EQ(e.status, 0) << e.err;
+    EXPECT_EQ(info(out)["meshes"]["regions"].size(), 2U);
+  }
+}
+
+TEST_F(RemeshTetrahedra, OptionsForTheOtherKindAreRefused) {
+  for (const Arguments& o : {Arguments{"--lock-seams"}, Arguments{"--lock-boundary"},
+                             Arguments{"--follow-paths"}, Arguments{"--no-preserve-materials"}}) {
+    Arguments all{"--length", "1"};
+    all.insert(all.end(), o.begin(), o.end());
+    const Ended e = remesh(all);
+    EXPECT_EQ(e.status, 1);
+    EXPECT_TRUE(contains(e.err, "boxes.mesh: " + o[0])) << e.err;
+    EXPECT_FALSE(exists("out.msh"));
+  }
+  file("grid.obj", grid_obj(3));
+  for (const Arguments& o : {Arguments{"--lock-patch", "1"}, Arguments{"--lock-region", "1"},
+                             Arguments{"--msh2"}, Arguments{"--ascii"}, Arguments{"--no-periodic"}}) {
+    Arguments all{"--length", "1"};
+    all.insert(all.end(), o.begin(), o.end());
+    const Ended e = remesh(all, "out.obj", "grid.obj");
+    EXPECT_EQ(e.status, 1);
+    EXPECT_TRUE(contains(e.err, "grid.obj: " + o[0])) << e.err;
+  }
+}
+
+TEST_F(RemeshTetrahedra, SaysWhatIsWrongWithTheInput) {
+  Ended e = remesh({"--length", "1e-4"});
+  EXPECT_EQ(e.status, 1);
+  EXPECT_TRUE(contains(e.err, "boxes.mesh: ")) << e.err;
+  EXPECT_TRUE(contains(e.err, "50000000")) << e.err;
+  e = remesh({"--length", "1", "--lock-patch", "walls"});
+  EXPECT_EQ(e.status, 1);
+  EXPECT_TRUE(contains(e.err, "--lock-patch walls: no patch has this name")) << e.err;
+  e = remesh({"--length", "1", "--lock-region", "7"});
+  EXPECT_EQ(e.status, 1);
+  EXPECT_TRUE(contains(e.err, "--lock-region 7")) << e.err;
+  e = remesh({"--length", "1"}, "out.obj");
+  EXPECT_EQ(e.status, 1) << e.err;
+  EXPECT_FALSE(exists("out.obj"));
+}
+
+TEST_F(RemeshTetrahedra, TellsOfVolumesThatChange) {
+  const Ended e = remesh({"--length", "3"});  // without --feature-angle the corners are rounded
+  EXPECT_EQ(e.status, 0);
+  EXPECT_TRUE(contains(e.err, "warning: the volume of region 1 has changed by")) << e.err;
+}
+
+}  // namespace
+}  // namespace multimesh::tools::test

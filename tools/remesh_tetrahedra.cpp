@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/remesh_tetrahedra.hpp"
+
+#ifdef MULTIMESH_WITH_IMPROVE
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <sstream>
+
+#include "adapters/io/atomic_file.hpp"
+#include "multimesh/algorithms/bounding_box.hpp"
+#include "multimesh/algorithms/domain_report.hpp"
+#include "multimesh/algorithms/remesh_domain.hpp"
+#include "tools/domain_json.hpp"
+#include "tools/joined_check.hpp"
+#include "tools/output_check.hpp"
+
+namespace multimesh::tools {
+
+namespace {
+
+constexpr const char* group = "Tetrahedra";
+/// Of the volume of a region, above which a change is worth a warning.
+constexpr double much_of_volume = 0.005;
+
+void refuse_options(const RemeshArguments& a, bool tetrahedra) {
+  const auto refuse = [&](bool given, const char* option) {
+    if (given)
+      throw InputError(
+          a.input + ": " + option + " is for " +
+          (tetrahedra ? "surfaces, and this is a mesh of tetrahedra" : "tetrahedra, and this is a surface"));
+  };
+  if (tetrahedra) {
+    refuse(a.options.lock_seams, "--lock-seams");
+    refuse(a.options.lock_boundary, "--lock-boundary (for tetrahedra: --lock-patch)");
+    refuse(!a.preserve_materials, "--no-preserve-materials");
+    refuse(a.follow_paths, "--follow-paths");
+  } else {
+    refuse(!a.locked_patches.empty(), "--lock-patch");
+    refuse(!a.locked_regions.empty(), "--lock-region");
+    refuse(a.no_periodic, "--no-periodic");
+    refuse(a.ascii, "--ascii");
+    refuse(a.msh_2, "--msh2");
+  }
+}
+
+double diagonal(const TetDomain& domain) {
+  Eigen::AlignedBox3d box;
+  for (Index v = 0; v < domain.mesh().capacity(0); ++v)
+    if (domain.mesh().is_live(0, v)) box.extend(domain.points()[v]);
+  return box.diagonal().norm();
+}
+
+DomainRemeshOptions options_of(const RemeshArguments& a, const DomainFile& file) {
+  DomainRemeshOptions o;
+  static_cast<RemeshOptions&>(o) = a.options;
+  o.target_amips = a.target_amips;
+  o.locked_patches = tags_of_patches(file, a.locked_patches, "--lock-patch");
+  o.locked_regions = tags_of_groups(file, 3, a.locked_regions, "--lock-region");
+  return o;
+}
+
+void warn_of_tetrahedra(const ImproveResult& r, double target, std::vector<std::string>& warnings) {
+  if (r.target_reached) return;
+  std::ostringstream text;
+  text.precision(4);
+  text << r.after.above_target << " tetrahedra have an AMIPS energy above " << target << ", the greatest is "
+       << r.after.max_amips << "; improve, which may split edges of the surface, may do better";
+  warnings.push_back(text.str());
+}
+
+void warn_of_volumes(const TetTopology& before, const TetTopology& after,
+                     std::vector<std::string>& warnings) {
+  for (const auto& [tag, volume] : before.volumes) {
+    const auto now = after.volumes.find(tag);
+    const double change = now == after.volumes.end() ? -1 : now->second / volume - 1;
+    if (std::abs(change) <= much_of_volume) continue;
+    std::ostringstream text;
+    text.precision(2);
+    text << "the volume of region " << tag << " has changed by " << 100 * change
+         << " %; a shorter length keeps "
+         << "it better";
+    warnings.push_back(text.str());
+  }
+}
+
+Json quality(const ImproveResult& r) {
+  return {{"tetrahedra", r.after.tets},
+          {"max_amips", r.after.max_amips},
+          {"mean_amips", r.after.mean_amips},
+          {"above_target", r.after.above_target}};
+}
+
+void run(RemeshArguments& a, DomainFile& file) {
+  check_output_path(a.output, {a.input});
+  if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
+  TetDomainOptions curves;
+  if (a.feature_angle > 0) curves.feature_angle = a.feature_angle * std::numbers::pi / 180;
+  TetDomain domain(take_tetrahedra(file), curves);
+  for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
+  a.options.length = a.length > 0 ? a.length : a.relative_length * diagonal(domain);
+  const DomainReport before = report(domain);
+  const DomainRemeshResult result = [&] {
+    try {
+      return remesh(domain, options_of(a, file));
+    } catch (const InputError& e) {
+      throw InputError(a.input + ": " + e.what());
+    }
+  }();
+  const DomainReport after = report(domain);
+  warn_of_lengths(a, result.surface, file.warnings);
+  warn_of_tetrahedra(result.tetrahedra, a.target_amips, file.warnings);
+  warn_of_volumes(before.tets, after.tets, file.warnings);
+  write_if_same_mesh(
+      a.output, before.tets, domain,
+      [&](const std::filesystem::path& path) {
+        write_domain(path, domain, {file.soup.groups, file.soup.tag_sets},
+                     {a.ascii, a.msh_2, {false, a.feature_angle > 0, false}}, file.warnings);
+      },
+      a.options.length);
+  if (!a.report.empty()) {
+    Json j = to_json(a, result.surface);
+    j["before"] = to_json(before);
+    j["after"] = to_json(after);
+    j["tetrahedra"] = quality(result.tetrahedra);
+    j["warnings"] = file.warnings;
+    io::AtomicFile out(a.report);
+    out.write(to_text(j));
+    out.commit();
+  }
+  if (a.quiet) return;
+  for (const auto& w : file.warnings) std::cerr << "warning: " << w << '\n';
+  std::cerr << before.surface->faces << " faces of the surface -> " << after.surface->faces << ", "
+            << before.tets.tets << " tetrahedra -> " << after.tets.tets << "; "
+            << percent_in_range(result.surface) << " % of the edges are within 4/5 and 4/3 of "
+            << a.options.length << "; AMIPS max " << result.tetrahedra.after.max_amips << '\n';
+}
+
+}  // namespace
+
+void add_tetrahedra_options(CLI::App& command, RemeshArguments& a) {
+  command.add_option("--target-amips", a.target_amips, "energy towards which tetrahedra are improved")
+      ->check(CLI::Range(3.0, 1e9))
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--lock-patch", a.locked_patches,
+                  "patches whose triangles stay the same ones, by tags or names")
+      ->group(group);
+  command.add_option("--lock-region", a.locked_regions, "regions that are not touched, by their tags")
+      ->group(group);
+  command
+      .add_flag("--no-periodic", a.no_periodic,
+                "take a periodic mesh as any other; its sides need not match afterwards")
+      ->group(group);
+  command.add_flag("--ascii", a.ascii, "text instead of binary, where the format has both")->group(group);
+  command.add_flag("--msh2", a.msh_2, "MSH 2.2 instead of 4.1")->group(group);
+}
+
+bool remesh_if_tetrahedra(RemeshArguments& a) {
+  if (is_surface_format(a.input)) {
+    refuse_options(a, false);
+    return false;
+  }
+  DomainFile file = read_domain_file(a.input);
+  const bool tetrahedra = file.soup.simplices[3].size() > 0;
+  refuse_options(a, tetrahedra);
+  if (!tetrahedra) return false;
+  DomainInputOptions taken;
+  taken.weld = a.weld_text;
+  taken.no_weld = !a.weld.positions;
+  taken.no_periodic = a.no_periodic;
+  prepare_domain_input(file, taken, false);
+  run(a, file);
+  return true;
+}
+
+}  // namespace multimesh::tools
+
+#endif

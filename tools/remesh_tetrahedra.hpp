@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "tools/remesh_arguments.hpp"
+
+namespace multimesh::tools {
+
+void add_tetrahedra_options(CLI::App& command, RemeshArguments& a);
+
+/// Remeshes the surface of the tetrahedra in the input, and writes them. \return false if it has none: then
+/// nothing was done. \throw InputError also for options that one kind of input has no use for
+bool remesh_if_tetrahedra(RemeshArguments& a);
+
+}  // namespace multimesh::tools
