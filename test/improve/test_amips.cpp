@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -124,6 +125,26 @@ TEST(Quality, IsFiniteJustForExactlyPositiveTetrahedra) {
   const double q = quality(a, b, c, above), r = quality(a, b, c, below);
   EXPECT_NE(q < INFINITY, r < INFINITY);
   EXPECT_LE(std::min(q, r), flat);
+}
+
+// Else swaps of tetrahedra that are almost flat can go round and round.
+TEST(Quality, DoesNotDependOnTheOrderOfTheCorners) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> x(-1, 1);
+  int almost_flat = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::array<Vec3, 4> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = Vec3(x(random), x(random), x(random));
+    p[3] = 0.3 * p[0] + 0.5 * p[1] + 0.2 * p[2];  // in their plane but for rounding
+    const double q = quality(p[0], p[1], p[2], p[3]);
+    if (!std::isfinite(q)) continue;
+    ++almost_flat;
+    EXPECT_EQ(quality(p[1], p[0], p[3], p[2]), q);
+    EXPECT_EQ(quality(p[2], p[3], p[0], p[1]), q);
+    EXPECT_EQ(quality(p[0], p[2], p[3], p[1]), q);
+    EXPECT_EQ(quality(p[1], p[2], p[0], p[3]), q);
+  }
+  EXPECT_GT(almost_flat, 300);
 }
 
 }  // namespace

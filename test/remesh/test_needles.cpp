@@ -114,6 +114,25 @@ TEST(NeedlesOnAPlate, BecomeEven) {
       for (const double angle : {0.0, 40.0}) expect_even(plate(segments, 0.25), length, angle);
 }
 
+// Edges that stay whole, long ones at the sides and short ones at the hole: what lies beside them gets no
+// flatter with each round, and there is an end.
+TEST(LockedBoundary, MakesNoEndlessWork) {
+  for (const int segments : {24, 100, 1000}) {
+    SCOPED_TRACE(segments);
+    const TexturedTriangles in = drilled_plate(segments, 0, 0, 0.5, 0);
+    TexturedSurface surface(in);
+    SurfaceRemeshOptions options;
+    options.length = 0.02 * bounding_box_diagonal(in.positions);
+    options.lock_boundary = true;
+    const RemeshResult r = remesh(surface, options);
+    std::vector<Index> source;
+    const Counted after = count(surface.triangles(source), options.length);
+    const double right = after.area / (std::sqrt(3) / 4 * options.length * options.length);
+    EXPECT_LE(double(after.faces), 1.3 * right + 2 * segments);
+    EXPECT_LE(r.splits + r.collapses, 8 * (in.triangles.size() + after.faces));
+  }
+}
+
 class LargeStars : public testing::TestWithParam<int> {};
 
 TEST_P(LargeStars, BecomeEvenOnADrilledPlate) {

@@ -1,17 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/improvement/workspace.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "multimesh/orient3d.hpp"
 
 namespace multimesh::improvement {
 
+namespace {
+
+/// In an order that depends on the points only. \pre positive orientation
+std::array<const Vec3*, 4> sorted(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  std::array<const Vec3*, 4> p{&a, &b, &c, &d};
+  const auto is_before = [](const Vec3& x, const Vec3& y) {
+    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
+  };
+  bool odd = false;
+  for (std::size_t end = 3; end > 0; --end)
+    for (std::size_t i = 0; i < end; ++i)
+      if (is_before(*p[i + 1], *p[i])) std::swap(p[i], p[i + 1]), odd = !odd;
+  if (odd) std::swap(p[2], p[3]);
+  return p;
+}
+
+}  // namespace
+
+// Where the determinant is little more than rounding, another order of the corners would give another one:
+// the tetrahedron would be better or worse than itself, and swaps of such could go round and round.
 double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double q = cubed_amips(a, b, c, d);
   if (q < certainly_positive) return q;
   if (orient3d(a.data(), b.data(), c.data(), d.data()) <= 0) return std::numeric_limits<double>::infinity();
-  return std::min(q, flat);
+  const auto p = sorted(a, b, c, d);
+  return std::clamp(cubed_amips(*p[0], *p[1], *p[2], *p[3]), certainly_positive, flat);
 }
 
 double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double limit) {

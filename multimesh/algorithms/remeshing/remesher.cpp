@@ -88,12 +88,30 @@ std::size_t Remesher::split_long_edges() {
   auto list = edges_in(longest_, std::numeric_limits<double>::infinity());
   std::reverse(list.begin(), list.end());
   std::size_t split = 0;
+  stays_whole_.assign(root_.capacity(1), false);
   for (const auto& [was, e] : list) {
     const Dart d = root_.dart_of(1, e);
-    if (measure(d) > longest_ && !strata_.is_frozen(d)) split += halve(d);
+    if (!(measure(d) > longest_)) continue;
+    const bool halved = !strata_.is_frozen(d) && !flattens_beside_whole(d) && halve(d);
+    split += halved;
+    stays_whole_.resize(root_.capacity(1), false);
+    stays_whole_[e] = !halved;
   }
   result_.splits += split;
   return split;
+}
+
+// A triangle whose longest edge stays whole gets flatter with each split of another one, without an end.
+bool Remesher::flattens_beside_whole(Dart edge) {
+  root_.star(edge, 1, star_);
+  const Vec3d middle = (at(edge) + at(root_.reorder(edge, exchange_ends))) / 2;
+  return std::ranges::any_of(star_, [&](Dart t) {
+    const std::array others{root_.reorder(t, edge_ax), root_.reorder(t, edge_bx)};
+    return std::ranges::any_of(others, [&](Dart side) {
+      return stays_whole_[root_.simplex(side, 1)] &&
+             is_flat(at(side), at(root_.reorder(side, exchange_ends)), middle);
+    });
+  });
 }
 
 bool Remesher::halve(Dart edge) {

@@ -36,6 +36,7 @@ class Remesher {
   void let_others_work(int round);
   void refine();
   std::size_t split_long_edges();
+  bool flattens_beside_whole(Dart edge);
   bool halve(Dart edge);
   Dart split(Dart edge);
   std::vector<PlaneSides::Count> count_sides(Dart d, int k);
@@ -102,8 +103,9 @@ class Remesher {
   std::vector<Index> patch_, line_;  // of faces and edges, see Reference
   Column<Index> patch_column_, line_column_;
   double shortest_, longest_, smallest_move_;
-  std::vector<bool> placed_;  // per vertex: on the input
-  std::vector<bool> tried_;   // per vertex: to raise angles, in this sweep
+  std::vector<bool> stays_whole_;  // per edge: too long, but not split in this sweep
+  std::vector<bool> placed_;       // per vertex: on the input
+  std::vector<bool> tried_;        // per vertex: to raise angles, in this sweep
 
   TreeStrata strata_;
   Reference reference_;

@@ -65,6 +65,10 @@ bool StarShape::allows_swap(Dart edge) {
   return t.keeps_all(same_side) && same_side(t.left, t.right);
 }
 
+bool is_flat(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return form({a, b, c}, normal(a, b, c)).flatness < flat;
+}
+
 // The one across from the shortest side.
 double least_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const auto at = [](const Vec3d& p, const Vec3d& q, const Vec3d& r) {

@@ -27,6 +27,10 @@ class StarShape {
   DartBuffer star_;
 };
 
+/// Whether a triangle is flatter than those that are made where there is a choice: its largest angle is near
+/// 180 degrees.
+bool is_flat(const OpenMesh::Vec3d& a, const OpenMesh::Vec3d& b, const OpenMesh::Vec3d& c);
+
 /// The least of its angles, radians; 0 for a triangle without area.
 double least_angle(const OpenMesh::Vec3d& a, const OpenMesh::Vec3d& b, const OpenMesh::Vec3d& c);
 
