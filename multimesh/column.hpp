@@ -114,7 +114,7 @@ class Column final : public ValueAttribute<T> {
 
   void move_corners(const Event& event) {
     const std::vector<CornerChange>& all = event.changes->corners;
-    for (std::size_t i = 0, end; i < all.size(); i = end) {
+    for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
       for (end = i; end < all.size() && all[end].copy == all[i].copy; ++end) {
       }
       if (all[i].node != this->node()) continue;

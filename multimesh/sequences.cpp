@@ -58,8 +58,8 @@ Dart Propagation::after_split(NodeId n, Dart e, End end) const {
   }
 }
 
-// The edge must be interior in every mesh of dimension 2 or more, and in no mesh of dimension 1. The edge of a
-// surface may lie in the boundary of the tetrahedra above, if the faces at it do.
+// The edge must be interior in every mesh of dimension 2 or more, and in no mesh of dimension 1. The edge of
+// a surface may lie in the boundary of the tetrahedra above, if the faces at it do.
 bool Propagation::swappable(NodeId n, Dart e) {
   tree_.require_dart(n, e);
   const Dart in_root = tree_.to_root(n, e);

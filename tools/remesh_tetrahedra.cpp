@@ -54,7 +54,7 @@ double diagonal(const TetDomain& domain) {
 
 DomainRemeshOptions options_of(const RemeshArguments& a, const DomainFile& file) {
   DomainRemeshOptions o;
-  static_cast<RemeshOptions&>(o) = a.options;
+  static_cast<RemeshOptions&>(o) = static_cast<const RemeshOptions&>(a.options);
   o.target_amips = a.target_amips;
   o.locked_patches = tags_of_patches(file, a.locked_patches, "--lock-patch");
   o.locked_regions = tags_of_groups(file, 3, a.locked_regions, "--lock-region");

@@ -43,7 +43,8 @@ class Embedding {
   /// The coordinates that an attribute has, which follows the operations already.
   template <class T>
   Coordinates& add_coordinates(VertexAttribute<T>& values, Kind kind) {
-    return *coordinates_.emplace_back(std::make_unique<CoordinatesOf<T>>(values), kind).coordinates;
+    coordinates_.push_back({std::make_unique<CoordinatesOf<T>>(values), kind});
+    return *coordinates_.back().coordinates;
   }
 
  private:

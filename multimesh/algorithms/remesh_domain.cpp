@@ -35,7 +35,7 @@ DomainRemeshResult remesh(TetDomain& domain, const DomainRemeshOptions& options)
   if (!domain.surface()) throw InputError("remesh: the tetrahedra have no surface");
   Embedding embedding = domain.embedding();
   lock(embedding, domain, options);
-  RemeshOptions rounds = options;
+  RemeshOptions rounds = static_cast<const RemeshOptions&>(options);
   rounds.between_rounds = [&](int, std::span<Attribute* const> carried) {
     ImproveOptions improving = of_tetrahedra(options, options.passes_between);
     improving.carried.assign(carried.begin(), carried.end());

@@ -203,10 +203,11 @@ void Remesher::read_stars_of_ends(const Copies& edges, DartBuffer& triangles) {
 // Stars of several copies may have triangles in common.
 void Remesher::drop_repeated(DartBuffer& triangles, std::size_t stars) const {
   if (stars < 2) return;
-  const auto facet = [&](Dart t) { return root_.facet(t); };
-  std::ranges::sort(triangles, {}, facet);
-  const auto repeated = std::ranges::unique(triangles, {}, facet);
-  triangles.erase(repeated.begin(), repeated.end());
+  std::sort(triangles.begin(), triangles.end(),
+            [&](Dart s, Dart t) { return root_.facet(s) < root_.facet(t); });
+  const auto repeated = std::unique(triangles.begin(), triangles.end(),
+                                    [&](Dart s, Dart t) { return root_.facet(s) == root_.facet(t); });
+  triangles.erase(repeated, triangles.end());
 }
 
 bool Remesher::charts_allow_collapse() const {
