@@ -70,7 +70,7 @@ bool Improver::try_refinement(Index t, int splits) {
       Candidate split;
       candidates_.split(longest_edge_near(worst), daring(), split);
       if (!take(split)) return i > 0;
-      double quality;
+      double quality = 0;
       worst = worst_touched(quality);
       if (!(quality > limit_)) break;
     }
@@ -112,7 +112,7 @@ Index Improver::worst_touched(double& quality) const {
 // Improves the worst of the touched tetrahedra until all are better than this.
 bool Improver::improve_touched(double limit) {
   for (int i = 0; i < longest_trial; ++i) {
-    double quality;
+    double quality = 0;
     const Index worst = worst_touched(quality);
     if (quality < limit) return true;
     if (!improve_tet(worst)) return false;

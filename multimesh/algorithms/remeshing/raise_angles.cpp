@@ -18,8 +18,8 @@ constexpr double small_angle = 44 * std::numbers::pi / 180;
 constexpr double best_angle = std::numbers::pi / 3;
 /// The pass is repeated until it finds nothing more to do, at most so often.
 constexpr int most_repeats = 3;
-/// Steps that are tried, of the length wanted.
-constexpr double first_step = 0.2, last_step = 0.01;
+/// Steps that are tried, of the length wanted: each half the one before.
+constexpr std::array steps{0.2, 0.1, 0.05, 0.025, 0.0125};
 /// Of the places that are better, so many are tried.
 constexpr std::size_t most_tries = 8;
 
@@ -162,7 +162,7 @@ std::vector<Vec3d> Remesher::near_places(Dart vertex, Freedom freedom, const std
   if (freedom == Freedom::surface) ways = directions(normal);
   if (freedom == Freedom::line)
     for (const Dart e : line) ways.push_back((at(root_.reorder(e, exchange_ends)) - at(vertex)).normalized());
-  for (double step = first_step; step > last_step; step /= 2)
+  for (const double step : steps)
     for (const Vec3d& way : ways) places.push_back(at(vertex) + way * (step * options_.length));
   return places;
 }
