@@ -85,6 +85,15 @@ void warn_of_volumes(const TetTopology& before, const TetTopology& after,
   }
 }
 
+// Nothing keeps parts of the surface from coming together that are nearer to each other than the length.
+void warn_of_contact(const TetDomain& domain, std::vector<std::string>& warnings) {
+  const std::size_t n = hanging_points(domain.tagged()).size();
+  if (n > 0)
+    warnings.push_back("the surface touches itself: " + std::to_string(n) +
+                       " points lie in the middle of an edge or a face of it; a shorter length keeps parts "
+                       "of it apart");
+}
+
 Json quality(const ImproveResult& r) {
   return {{"tetrahedra", r.after.tets},
           {"max_amips", r.after.max_amips},
@@ -112,6 +121,7 @@ void run(RemeshArguments& a, DomainFile& file) {
   warn_of_lengths(a, result.surface, file.warnings);
   warn_of_tetrahedra(result.tetrahedra, a.target_amips, file.warnings);
   warn_of_volumes(before.tets, after.tets, file.warnings);
+  warn_of_contact(domain, file.warnings);
   write_if_same_mesh(
       a.output, before.tets, domain,
       [&](const std::filesystem::path& path) {
