@@ -15,7 +15,7 @@
 #include "tools/joined_check.hpp"
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
-#include "tools/surface_json.hpp"
+#include "tools/quality_json.hpp"
 #endif
 
 namespace multimesh::tools {
@@ -36,14 +36,6 @@ struct ImproveArguments {
 constexpr const char* split_names[] = {"none", "exact", "rounded"};
 constexpr const char* stop_names[] = {"nothing_left", "max_passes", "max_growth", "time_limit"};
 
-Json to_json(const TetQuality& q) {
-  return {{"tetrahedra", q.tets},
-          {"vertices", q.vertices},
-          {"max_amips", q.max_amips},
-          {"mean_amips", q.mean_amips},
-          {"above_target", q.above_target}};
-}
-
 Json to_json(const ImproveArguments& a, const ImproveResult& r) {
   Json j{{"input", a.input},
          {"output", a.output},
@@ -52,8 +44,8 @@ Json to_json(const ImproveArguments& a, const ImproveResult& r) {
          {"stopped_by", stop_names[static_cast<std::size_t>(r.stop)]},
          {"passes", r.passes},
          {"seconds", r.seconds},
-         {"before", to_json(r.before)},
-         {"after", to_json(r.after)}};
+         {"before", tools::to_json(r.before)},
+         {"after", tools::to_json(r.after)}};
   for (const OperationCount& c : r.operations) {
     Json refused = Json::object();
     for (const auto& [reason, n] : c.refused) refused[reason] = n;

@@ -9,12 +9,12 @@
 #include <sstream>
 
 #include "adapters/io/atomic_file.hpp"
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/algorithms/remesh_domain.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
+#include "tools/quality_json.hpp"
 
 namespace multimesh::tools {
 
@@ -94,13 +94,6 @@ void warn_of_contact(const TetDomain& domain, std::vector<std::string>& warnings
                        "of it apart");
 }
 
-Json quality(const ImproveResult& r) {
-  return {{"tetrahedra", r.after.tets},
-          {"max_amips", r.after.max_amips},
-          {"mean_amips", r.after.mean_amips},
-          {"above_target", r.after.above_target}};
-}
-
 void run(RemeshArguments& a, DomainFile& file) {
   check_output_path(a.output, {a.input});
   if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
@@ -133,7 +126,7 @@ void run(RemeshArguments& a, DomainFile& file) {
     Json j = to_json(a, result.surface);
     j["before"] = to_json(before);
     j["after"] = to_json(after);
-    j["tetrahedra"] = quality(result.tetrahedra);
+    j["tetrahedra"] = to_json(result.tetrahedra.after);
     j["warnings"] = file.warnings;
     io::AtomicFile out(a.report);
     out.write(to_text(j));

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <OpenMesh/Core/Geometry/VectorT.hh>
-#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "multimesh/attribute.hpp"
 #include "multimesh/operations.hpp"

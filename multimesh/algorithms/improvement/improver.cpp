@@ -161,16 +161,9 @@ bool Improver::improve_tet(Index t) {
   return swap_or_collapse(t, demand_) || smooth(t, demand_) || split(t, demand_);
 }
 
-std::size_t Improver::count_bad() const {
+std::size_t Improver::count_worse(double quality) const {
   std::size_t n = 0;
-  for (Index t = 0; t < work_.mesh().capacity(3); ++t) n += work_.is_live(t) && work_.quality_of(t) > limit_;
-  return n;
-}
-
-std::size_t Improver::count_above(double amips) const {
-  std::size_t n = 0;
-  for (Index t = 0; t < work_.mesh().capacity(3); ++t)
-    n += work_.is_live(t) && work_.quality_of(t) > amips * amips * amips;
+  for (Index t = 0; t < work_.mesh().capacity(3); ++t) n += work_.is_live(t) && work_.quality_of(t) > quality;
   return n;
 }
 

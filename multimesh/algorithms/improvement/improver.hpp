@@ -28,8 +28,8 @@ class Improver {
 
   /// Tetrahedra are bad from now on if their energy is above this.
   void aim_at(double amips);
-  std::size_t count_above(double amips) const;
-  std::size_t count_bad() const;
+  std::size_t count_above(double amips) const { return count_worse(amips * amips * amips); }
+  std::size_t count_bad() const { return count_worse(limit_); }
   /// One pass over all bad tetrahedra, worst first. Where nothing helps at once, that many
   /// splits are tried that make things worse at first, and kept if what follows makes them better than
   /// before. \return how many operations were done
@@ -69,6 +69,7 @@ class Improver {
   void improve_bad(Index t, int trial_splits);
   bool was_asked(Index t, int effort) const;
   Refusals::State state(Index t) const;
+  std::size_t count_worse(double quality) const;
   void push(Index t);
   Demand daring() const;
   double demanded(Index t) const;

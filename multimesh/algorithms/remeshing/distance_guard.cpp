@@ -34,20 +34,20 @@ double squared_side(const spatial::Triangle& t, std::size_t i) {
 
 }  // namespace
 
-DistanceGuard::DistanceGuard(const Mesh& root, const Coordinates& positions, const Reference& input,
+DistanceGuard::DistanceGuard(const Mesh& surface, const Coordinates& positions, const Reference& input,
                              double bound, double spacing)
-    : root_(root), positions_(positions), input_(input), bound_(bound), first_(root.capacity(2), 0) {
-  std::vector<bool> known(root.capacity(0), false);
-  for (Index f = 0; f < root.capacity(2); ++f) {
-    if (!root.is_live(2, f)) continue;
+    : mesh_(surface), positions_(positions), input_(input), bound_(bound), first_(surface.capacity(2), 0) {
+  std::vector<bool> known(surface.capacity(0), false);
+  for (Index f = 0; f < surface.capacity(2); ++f) {
+    if (!surface.is_live(2, f)) continue;
     std::array<Index, 4> v{};
-    root.vertices(root.dart_of(2, f), v.data());
+    surface.vertices(surface.dart_of(2, f), v.data());
     for (std::size_t i = 0; i < 3; ++i)
       if (!known[v[i]]) {
         known[v[i]] = true;
         add_point(to_point(positions.at(v[i])), f);
       }
-    const spatial::Triangle t = triangle(root.dart_of(2, f));
+    const spatial::Triangle t = triangle(surface.dart_of(2, f));
     for (std::size_t i = 0; i < 3; ++i)
       if (squared_side(t, i) >= spacing * spacing) {
         add_points(t, f, spacing);
@@ -79,7 +79,7 @@ void DistanceGuard::add_point(const spatial::Point& p, Index facet) {
 
 spatial::Triangle DistanceGuard::triangle(Dart d) const {
   std::array<Index, 4> v{};
-  root_.vertices(d, v.data());
+  mesh_.vertices(d, v.data());
   return {to_point(positions_.at(v[0])), to_point(positions_.at(v[1])), to_point(positions_.at(v[2]))};
 }
 
@@ -93,7 +93,7 @@ void DistanceGuard::put(Index p, Index triangle) {
 void DistanceGuard::take(const DartBuffer& triangles) {
   taken_.clear();
   for (const Dart t : triangles) {
-    const Index f = root_.facet(t);
+    const Index f = mesh_.facet(t);
     if (f >= first_.size()) continue;
     for (Index p = first_[f]; p != 0; p = next_[p - 1]) taken_.push_back({p - 1, f});
     first_[f] = 0;
@@ -107,9 +107,9 @@ void DistanceGuard::give_back() {
 void DistanceGuard::sort_anew() {
   std::vector<spatial::Triangle> triangles;
   std::vector<Index> facets;
-  for (Index f = 0; f < root_.capacity(2); ++f) {
-    if (!root_.is_live(2, f)) continue;
-    triangles.push_back(triangle(root_.dart_of(2, f)));
+  for (Index f = 0; f < mesh_.capacity(2); ++f) {
+    if (!mesh_.is_live(2, f)) continue;
+    triangles.push_back(triangle(mesh_.dart_of(2, f)));
     facets.push_back(f);
   }
   const spatial::TriangleTree tree(std::move(triangles));
@@ -134,7 +134,7 @@ void DistanceGuard::hand_on(const DartBuffer& triangles) {
 // Of each point that was taken, as long as there is one within the distance.
 void DistanceGuard::find_nearest(const DartBuffer& triangles, double distance) {
   candidates_.clear();
-  for (const Dart t : triangles) candidates_.push_back({triangle(t), root_.facet(t)});
+  for (const Dart t : triangles) candidates_.push_back({triangle(t), mesh_.facet(t)});
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& x, const Candidate& y) { return x.facet < y.facet; });
   settled_.clear();
@@ -171,8 +171,8 @@ void DistanceGuard::put_settled() {
 
 // A triangle may reach over a bay of the boundary without bending.
 bool DistanceGuard::touches_boundary(Dart d) const {
-  return root_.is_boundary(d, 1) || root_.is_boundary(root_.reorder(d, edge_ax), 1) ||
-         root_.is_boundary(root_.reorder(d, edge_bx), 1);
+  return mesh_.is_boundary(d, 1) || mesh_.is_boundary(mesh_.reorder(d, edge_ax), 1) ||
+         mesh_.is_boundary(mesh_.reorder(d, edge_bx), 1);
 }
 
 // At the points of a grid besides the corners.

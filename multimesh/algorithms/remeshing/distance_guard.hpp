@@ -15,7 +15,7 @@ namespace multimesh::remeshing {
 class DistanceGuard {
  public:
   /// `bound`: distance; `spacing`: of the points. Cost: linear, and in area / spacing^2
-  DistanceGuard(const Mesh& root, const Coordinates& positions, const Reference& input, double bound,
+  DistanceGuard(const Mesh& surface, const Coordinates& positions, const Reference& input, double bound,
                 double spacing);
 
   /// Takes the points of triangles that are about to change.
@@ -48,7 +48,7 @@ class DistanceGuard {
   bool is_near_input(const spatial::Triangle& t) const;
   spatial::Triangle triangle(Dart d) const;
 
-  const Mesh& root_;
+  const Mesh& mesh_;
   const Coordinates& positions_;
   const Reference& input_;
   double bound_;

@@ -7,9 +7,9 @@
 namespace multimesh::remeshing {
 
 void Remesher::count_edges() {
-  for (Index e = 0; e < root_.capacity(1); ++e) {
-    if (!root_.is_live(1, e)) continue;
-    const double l = length(root_.dart_of(1, e));
+  for (Index e = 0; e < mesh_.capacity(1); ++e) {
+    if (!mesh_.is_live(1, e)) continue;
+    const double l = length(mesh_.dart_of(1, e));
     result_.shortest = result_.edges == 0 ? l : std::min(result_.shortest, l);
     result_.longest = std::max(result_.longest, l);
     ++result_.edges;
@@ -19,9 +19,9 @@ void Remesher::count_edges() {
 
 std::vector<std::pair<double, Index>> Remesher::edges_in(double shortest, double longest) {
   std::vector<std::pair<double, Index>> list;
-  for (Index e = 0; e < root_.capacity(1); ++e) {
-    if (!root_.is_live(1, e)) continue;
-    const double l = measure(root_.dart_of(1, e));
+  for (Index e = 0; e < mesh_.capacity(1); ++e) {
+    if (!mesh_.is_live(1, e)) continue;
+    const double l = measure(mesh_.dart_of(1, e));
     if (l > shortest && l < longest) list.emplace_back(l, e);
   }
   std::sort(list.begin(), list.end());
@@ -32,9 +32,9 @@ std::vector<std::pair<double, Index>> Remesher::edges_in(double shortest, double
 // ones on either side, with which smoothing will make it even: of edges that are all too short, but whose
 // double is too long, every third vertex can go.
 double Remesher::measure(Dart edge) {
-  return line_[root_.simplex(edge, 1)] == 0
+  return line_[mesh_.simplex(edge, 1)] == 0
              ? length(edge)
-             : measure_on_line(length(edge), edge, root_.reorder(edge, exchange_ends));
+             : measure_on_line(length(edge), edge, mesh_.reorder(edge, exchange_ends));
 }
 
 double Remesher::measure_on_line(double length, Dart from, Dart to) {
@@ -46,20 +46,20 @@ double Remesher::measure_on_line(double length, Dart from, Dart to) {
 std::optional<double> Remesher::next_on_line(Dart edge) {
   std::array<Dart, 2> line{};
   if (strata_.freedom(edge, line) != Freedom::line) return std::nullopt;
-  return length(root_.same_simplex(line[0], edge, 1) ? line[1] : line[0]);
+  return length(mesh_.same_simplex(line[0], edge, 1) ? line[1] : line[0]);
 }
 
 /// Of the edges at a that b will have when (a, b, ..) is collapsed. Those that are too long already do not
 /// count.
 double Remesher::longest_after_collapse(Dart edge) {
-  const Dart other = root_.reorder(edge, exchange_ends);
-  edges_around(root_, edge, edges_);
+  const Dart other = mesh_.reorder(edge, exchange_ends);
+  edges_around(mesh_, edge, edges_);
   double longest = 0;
   for (const Dart x : edges_) {
-    if (root_.same_simplex(x, edge, 1) || measure(x) > longest_) continue;
-    const Dart far = root_.reorder(x, exchange_ends);
+    if (mesh_.same_simplex(x, edge, 1) || measure(x) > longest_) continue;
+    const Dart far = mesh_.reorder(x, exchange_ends);
     const double then = (at(far) - at(other)).norm();
-    const bool on_line = line_[root_.simplex(x, 1)] != 0;
+    const bool on_line = line_[mesh_.simplex(x, 1)] != 0;
     longest = std::max(longest, on_line ? measure_on_line(then, far, other) : then);
   }
   return longest;

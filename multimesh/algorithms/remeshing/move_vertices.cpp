@@ -10,21 +10,21 @@ namespace multimesh::remeshing {
 using OpenMesh::Vec3d;
 
 void Remesher::smooth() {
-  placed_.resize(root_.capacity(0), false);
-  for (Index v = 0; v < root_.capacity(0); ++v)
-    if (root_.is_live(0, v))
-      if (const Dart d = root_.dart_of(0, v); d != no_dart) smooth(d);
+  placed_.resize(mesh_.capacity(0), false);
+  for (Index v = 0; v < mesh_.capacity(0); ++v)
+    if (mesh_.is_live(0, v))
+      if (const Dart d = mesh_.dart_of(0, v); d != no_dart) smooth(d);
 }
 
 /// Of the triangles around a vertex, weighted by area; their normal, weighted too.
 Vec3d Remesher::centre(Dart vertex, Vec3d& normal) {
-  root_.star(vertex, 0, star_);
+  mesh_.star(vertex, 0, star_);
   Vec3d sum(0, 0, 0);
   double area = 0;
   normal = Vec3d(0, 0, 0);
   for (const Dart t : star_) {
     std::array<Index, 4> v{};
-    root_.vertices(t, v.data());
+    mesh_.vertices(t, v.data());
     const Vec3d p = positions_.at(v[0]), q = positions_.at(v[1]), r = positions_.at(v[2]);
     const Vec3d n = cross(q - p, r - p);
     const double a = n.norm();
@@ -42,12 +42,12 @@ void Remesher::smooth(Dart vertex) {
   const Vec3d here = at(vertex);
   Vec3d step, normal(0, 0, 0);
   if (freedom == Freedom::line) {
-    step = (at(root_.reorder(line[0], exchange_ends)) + at(root_.reorder(line[1], exchange_ends))) / 2 - here;
+    step = (at(mesh_.reorder(line[0], exchange_ends)) + at(mesh_.reorder(line[1], exchange_ends))) / 2 - here;
   } else {
     step = centre(vertex, normal) - here;
     if (normal.sqrnorm() > 0) step -= normal * ((step | normal) / normal.sqrnorm());
   }
-  const Index v = root_.vertex(vertex);
+  const Index v = mesh_.vertex(vertex);
   if (placed_[v] && step.norm() < smallest_move_) return;
   for (const double share : {1.0, 0.5, 0.25, 0.0})  // the last one: at least onto the input
     if (const auto to = place(vertex, freedom, line, {here + step * share, share * step.norm()}, normal);
@@ -63,8 +63,8 @@ std::optional<Place> Remesher::place(Dart vertex, Freedom freedom, const std::ar
   if (freedom == Freedom::none) return std::nullopt;
   const double expected = wanted.from_input + smallest_move_;
   if (freedom == Freedom::line)
-    return reference_.on_line(line_[root_.simplex(line[0], 1)], wanted.at, expected);
-  return reference_.on_patch(patch_[root_.facet(vertex)], wanted.at, normal, expected);
+    return reference_.on_line(line_[mesh_.simplex(line[0], 1)], wanted.at, expected);
+  return reference_.on_patch(patch_[mesh_.facet(vertex)], wanted.at, normal, expected);
 }
 
 // Each copy of the vertex in a mesh below gets one of the coordinates there: on a line, those of its own
@@ -96,7 +96,7 @@ bool Remesher::move(Dart vertex, const Place& to) {
   for (const Write& w : writes_)
     if (!sides_below_[w.mesh].allows(w.dart, w.at)) return false;
   const auto write = [&](const Event&) {
-    positions_.set(root_.vertex(vertex), to.position);
+    positions_.set(mesh_.vertex(vertex), to.position);
     for (const Write& w : writes_) {
       Coordinates& c = *below_[w.mesh];
       c.set(tree_.mesh(c.node()).vertex(w.dart), w.at);

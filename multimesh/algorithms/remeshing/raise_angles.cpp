@@ -82,25 +82,25 @@ std::vector<Vec3d> directions(Vec3d normal) {
 void Remesher::raise_least_angles() {
   for (int i = 0; i < most_repeats; ++i) {
     std::size_t raised = 0;
-    tried_.assign(root_.capacity(0), false);
+    tried_.assign(mesh_.capacity(0), false);
     for (const auto& [was, f] : faces_with_small_angles())
-      if (root_.is_live(2, f)) raised += raise_angle(root_.dart_of(2, f));
+      if (mesh_.is_live(2, f)) raised += raise_angle(mesh_.dart_of(2, f));
     if (raised == 0) return;
   }
 }
 
 double Remesher::least_angle_of(Dart triangle) const {
   std::array<Index, 4> v{};
-  root_.vertices(triangle, v.data());
+  mesh_.vertices(triangle, v.data());
   return least_angle(positions_.at(v[0]), positions_.at(v[1]), positions_.at(v[2]));
 }
 
 // The smallest ones first.
 std::vector<std::pair<double, Index>> Remesher::faces_with_small_angles() const {
   std::vector<std::pair<double, Index>> list;
-  for (Index f = 0; f < root_.capacity(2); ++f) {
-    if (!root_.is_live(2, f)) continue;
-    if (const double a = least_angle_of(root_.dart_of(2, f)); a < small_angle) list.emplace_back(a, f);
+  for (Index f = 0; f < mesh_.capacity(2); ++f) {
+    if (!mesh_.is_live(2, f)) continue;
+    if (const double a = least_angle_of(mesh_.dart_of(2, f)); a < small_angle) list.emplace_back(a, f);
   }
   std::sort(list.begin(), list.end());
   return list;
@@ -110,27 +110,27 @@ bool Remesher::raise_angle(Dart triangle) {
   if (least_angle_of(triangle) >= small_angle) return false;
   std::array<Index, 3> edges{};
   std::transform(sides.begin(), sides.end(), edges.begin(),
-                 [&](const Permutation& side) { return root_.simplex(root_.reorder(triangle, side), 1); });
+                 [&](const Permutation& side) { return mesh_.simplex(mesh_.reorder(triangle, side), 1); });
   std::array<Index, 4> corners{};
-  root_.vertices(triangle, corners.data());
+  mesh_.vertices(triangle, corners.data());
   for (const Index e : edges)
-    if (swap_to_raise_angles(root_.dart_of(1, e)) || collapse_to_raise_angles(root_.dart_of(1, e)))
+    if (swap_to_raise_angles(mesh_.dart_of(1, e)) || collapse_to_raise_angles(mesh_.dart_of(1, e)))
       return true;
   bool moved = false;
   for (std::size_t i = 0; i < 3; ++i) {
     if (tried_[corners[i]]) continue;
     tried_[corners[i]] = true;
-    moved = move_to_raise_angles(root_.dart_of(0, corners[i])) || moved;
+    moved = move_to_raise_angles(mesh_.dart_of(0, corners[i])) || moved;
   }
   return moved;
 }
 
 bool Remesher::swap_to_raise_angles(Dart edge) {
   if (!may_be_swapped(edge)) return false;
-  const Dart beyond = root_.switch_dart(edge, 2);
-  const Vec3d a = at(edge), b = at(root_.reorder(edge, exchange_ends)),
-              l = at(root_.reorder(edge, permutation(2, 0, 1))),
-              r = at(root_.reorder(beyond, permutation(2, 0, 1)));
+  const Dart beyond = mesh_.switch_dart(edge, 2);
+  const Vec3d a = at(edge), b = at(mesh_.reorder(edge, exchange_ends)),
+              l = at(mesh_.reorder(edge, permutation(2, 0, 1))),
+              r = at(mesh_.reorder(beyond, permutation(2, 0, 1)));
   Lack now, then;
   now.add(least_angle(a, b, l)), now.add(least_angle(a, b, r));
   now.add_edge((a - b).norm() / options_.length);
@@ -143,11 +143,11 @@ bool Remesher::swap_to_raise_angles(Dart edge) {
 
 bool Remesher::collapse_to_raise_angles(Dart edge) {
   if (length(edge) >= shortest_share * options_.length || strata_.is_frozen(edge)) return false;
-  for (const Dart d : {edge, root_.reorder(edge, exchange_ends)}) {
+  for (const Dart d : {edge, mesh_.reorder(edge, exchange_ends)}) {
     if (!may_be_removed(d)) continue;
-    root_.star(d, 0, star_);
-    const Around around(root_, positions_, star_, options_.length);
-    if (!around.lack(at(root_.reorder(d, exchange_ends))).is_less_than(around.lack(at(d)))) continue;
+    mesh_.star(d, 0, star_);
+    const Around around(mesh_, positions_, star_, options_.length);
+    if (!around.lack(at(mesh_.reorder(d, exchange_ends))).is_less_than(around.lack(at(d)))) continue;
     if (!collapse_guarded(d)) continue;
     ++result_.collapses;
     return true;
@@ -161,7 +161,7 @@ std::vector<Vec3d> Remesher::near_places(Dart vertex, Freedom freedom, const std
   std::vector<Vec3d> ways, places;
   if (freedom == Freedom::surface) ways = directions(normal);
   if (freedom == Freedom::line)
-    for (const Dart e : line) ways.push_back((at(root_.reorder(e, exchange_ends)) - at(vertex)).normalized());
+    for (const Dart e : line) ways.push_back((at(mesh_.reorder(e, exchange_ends)) - at(vertex)).normalized());
   for (const double step : steps)
     for (const Vec3d& way : ways) places.push_back(at(vertex) + way * (step * options_.length));
   return places;
@@ -174,7 +174,7 @@ bool Remesher::move_to_raise_angles(Dart vertex) {
   Vec3d normal;
   (void)centre(vertex, normal);
   if (freedom == Freedom::none || !(normal.sqrnorm() > 0)) return false;
-  const Around around(root_, positions_, star_, options_.length);
+  const Around around(mesh_, positions_, star_, options_.length);
   const Vec3d here = at(vertex);
   const Lack now = around.lack(here);
   std::vector<std::pair<double, Vec3d>> better;

@@ -15,7 +15,7 @@ Reference::Reference(const EmbeddedMesh& surface, TreeStrata& strata, std::vecto
                      std::vector<Index>& line)
     : tree_(surface.tree()),
       node_(surface.node()),
-      root_(surface.mesh()),
+      mesh_(surface.mesh()),
       positions_(surface.positions()),
       below_(surface.charts()),
       strata_(strata) {
@@ -32,18 +32,18 @@ void Reference::number_patches(std::vector<Index>& patch) {
   std::fill(patch.begin(), patch.end(), no_index);
   DartBuffer waiting;
   Index n = 0;
-  for (Index f = 0; f < root_.capacity(2); ++f) {
-    if (!root_.is_live(2, f) || patch[f] != no_index) continue;
+  for (Index f = 0; f < mesh_.capacity(2); ++f) {
+    if (!mesh_.is_live(2, f) || patch[f] != no_index) continue;
     patch[f] = n;
-    waiting.push_back(root_.dart_of(2, f));
+    waiting.push_back(mesh_.dart_of(2, f));
     while (!waiting.empty()) {
       const Dart t = waiting.back();
       waiting.pop_back();
       for (const Permutation side : {Permutation{}, edge_ax, edge_bx}) {
-        const Dart e = root_.reorder(t, side);
-        const Dart beyond = root_.switch_dart(e, 2);
-        if (beyond == no_dart || patch[root_.facet(beyond)] != no_index || !strata_.is_plain(e)) continue;
-        patch[root_.facet(beyond)] = n;
+        const Dart e = mesh_.reorder(t, side);
+        const Dart beyond = mesh_.switch_dart(e, 2);
+        if (beyond == no_dart || patch[mesh_.facet(beyond)] != no_index || !strata_.is_plain(e)) continue;
+        patch[mesh_.facet(beyond)] = n;
         waiting.push_back(beyond);
       }
     }
@@ -56,18 +56,18 @@ void Reference::number_lines(std::vector<Index>& line) {
   std::fill(line.begin(), line.end(), 0);
   DartBuffer waiting;
   Index n = 0;
-  for (Index e = 0; e < root_.capacity(1); ++e) {
-    if (!root_.is_live(1, e) || line[e] != 0 || strata_.is_plain(root_.dart_of(1, e))) continue;
+  for (Index e = 0; e < mesh_.capacity(1); ++e) {
+    if (!mesh_.is_live(1, e) || line[e] != 0 || strata_.is_plain(mesh_.dart_of(1, e))) continue;
     line[e] = ++n;
-    waiting.push_back(root_.dart_of(1, e));
+    waiting.push_back(mesh_.dart_of(1, e));
     while (!waiting.empty()) {
       const Dart d = waiting.back();
       waiting.pop_back();
-      for (const Dart end : {d, root_.reorder(d, exchange_ends)}) {
+      for (const Dart end : {d, mesh_.reorder(d, exchange_ends)}) {
         std::array<Dart, 2> two{};
         if (strata_.freedom(end, two) != Freedom::line) continue;
         for (const Dart next : two)
-          if (Index& known = line[root_.simplex(next, 1)]; known == 0) known = n, waiting.push_back(next);
+          if (Index& known = line[mesh_.simplex(next, 1)]; known == 0) known = n, waiting.push_back(next);
       }
     }
   }
@@ -76,7 +76,7 @@ void Reference::number_lines(std::vector<Index>& line) {
 // The k-simplex of d with everything that the meshes below have over it.
 void Reference::add(Layer& layer, Dart d, int k, Index group) {
   std::array<Index, 4> v{};
-  root_.vertices(d, v.data());
+  mesh_.vertices(d, v.data());
   const auto corner = [&](std::size_t i) { return i > static_cast<std::size_t>(k) ? std::size_t(k) : i; };
   const std::array<Vec3d, 3> p{positions_.at(v[0]), positions_.at(v[1]), positions_.at(v[corner(2)])};
   layer.triangles.push_back({to_point(p[0]), to_point(p[1]), to_point(p[2])});
@@ -96,13 +96,13 @@ void Reference::add(Layer& layer, Dart d, int k, Index group) {
 }
 
 void Reference::add_triangles(std::vector<Index>& patch) {
-  for (Index f = 0; f < root_.capacity(2); ++f)
-    if (root_.is_live(2, f)) add(patches_, root_.dart_of(2, f), 2, patch[f]);
+  for (Index f = 0; f < mesh_.capacity(2); ++f)
+    if (mesh_.is_live(2, f)) add(patches_, mesh_.dart_of(2, f), 2, patch[f]);
 }
 
 void Reference::add_segments(std::vector<Index>& line) {
-  for (Index e = 0; e < root_.capacity(1); ++e)
-    if (root_.is_live(1, e) && line[e] != 0) add(lines_, root_.dart_of(1, e), 1, line[e]);
+  for (Index e = 0; e < mesh_.capacity(1); ++e)
+    if (mesh_.is_live(1, e) && line[e] != 0) add(lines_, mesh_.dart_of(1, e), 1, line[e]);
 }
 
 Place Reference::place(const Layer& layer, const spatial::TriangleTree& tree, const spatial::Nearby& found) {

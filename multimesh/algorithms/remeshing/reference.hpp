@@ -68,7 +68,7 @@ class Reference {
 
   const MultiMesh& tree_;
   NodeId node_;
-  const Mesh& root_;
+  const Mesh& mesh_;
   const Coordinates& positions_;
   std::span<Coordinates* const> below_;
   TreeStrata& strata_;

@@ -30,12 +30,12 @@ Remesher::Remesher(EmbeddedMesh& surface, const RemeshOptions& options)
       operations_(surface.operations()),
       tree_(surface.tree()),
       node_(surface.node()),
-      root_(surface.mesh()),
+      mesh_(surface.mesh()),
       positions_(surface.positions()),
       below_(surface.charts()),
       options_(options),
-      patch_(root_.capacity(2), no_index),
-      line_(root_.capacity(1), 0),
+      patch_(mesh_.capacity(2), no_index),
+      line_(mesh_.capacity(1), 0),
       patch_column_(node_, 2, patch_),
       line_column_(node_, 1, line_, ColumnRules<Index>::larger()),
       shortest_(of_average * shortest_share * options.length),
@@ -43,8 +43,8 @@ Remesher::Remesher(EmbeddedMesh& surface, const RemeshOptions& options)
       smallest_move_(smallest_share * options.length),
       strata_(tree_, node_),
       reference_(surface, strata_, patch_, line_),
-      guard_(root_, positions_, reference_, nearness * options.length, spacing * options.length),
-      shape_(root_, positions_) {
+      guard_(mesh_, positions_, reference_, nearness * options.length, spacing * options.length),
+      shape_(mesh_, positions_) {
   operations_.add(patch_column_).add(line_column_);
   strata_.trust(line_);
   for (const Coordinates* c : below_) sides_below_.emplace_back(tree_.mesh(c->node()), *c);
@@ -88,13 +88,13 @@ std::size_t Remesher::split_long_edges() {
   auto list = edges_in(longest_, std::numeric_limits<double>::infinity());
   std::reverse(list.begin(), list.end());
   std::size_t split = 0;
-  stays_whole_.assign(root_.capacity(1), false);
+  stays_whole_.assign(mesh_.capacity(1), false);
   for (const auto& [was, e] : list) {
-    const Dart d = root_.dart_of(1, e);
+    const Dart d = mesh_.dart_of(1, e);
     if (!(measure(d) > longest_)) continue;
     const bool halved = !strata_.is_frozen(d) && !flattens_beside_whole(d) && halve(d);
     split += halved;
-    stays_whole_.resize(root_.capacity(1), false);
+    stays_whole_.resize(mesh_.capacity(1), false);
     stays_whole_[e] = !halved;
   }
   result_.splits += split;
@@ -103,13 +103,13 @@ std::size_t Remesher::split_long_edges() {
 
 // A triangle whose longest edge stays whole gets flatter with each split of another one, without an end.
 bool Remesher::flattens_beside_whole(Dart edge) {
-  root_.star(edge, 1, star_);
-  const Vec3d middle = (at(edge) + at(root_.reorder(edge, exchange_ends))) / 2;
+  mesh_.star(edge, 1, star_);
+  const Vec3d middle = (at(edge) + at(mesh_.reorder(edge, exchange_ends))) / 2;
   return std::ranges::any_of(star_, [&](Dart t) {
-    const std::array others{root_.reorder(t, edge_ax), root_.reorder(t, edge_bx)};
+    const std::array others{mesh_.reorder(t, edge_ax), mesh_.reorder(t, edge_bx)};
     return std::ranges::any_of(others, [&](Dart side) {
-      return stays_whole_[root_.simplex(side, 1)] &&
-             is_flat(at(side), at(root_.reorder(side, exchange_ends)), middle);
+      return stays_whole_[mesh_.simplex(side, 1)] &&
+             is_flat(at(side), at(mesh_.reorder(side, exchange_ends)), middle);
     });
   });
 }
@@ -141,7 +141,7 @@ Dart Remesher::split(Dart edge) {
   Transaction undone = operations_.transaction();
   const Outcome o = operations_.split(node_, edge);
   if (!o) return no_dart;
-  const Dart v = root_.reorder(o.dart, exchange_ends);
+  const Dart v = mesh_.reorder(o.dart, exchange_ends);
   const std::vector<PlaneSides::Count> after = count_sides(v, 0);
   for (std::size_t m = 0; m < below_.size(); ++m)
     if (!PlaneSides::halved(before[m], after[m])) return no_dart;
@@ -162,7 +162,7 @@ std::vector<PlaneSides::Count> Remesher::count_sides(Dart d, int k) {
 std::size_t Remesher::collapse_short_edges() {
   std::size_t collapsed = 0;
   for (const auto& [was, e] : edges_in(-1, shortest_))
-    if (root_.is_live(1, e)) collapsed += collapse(root_.dart_of(1, e));
+    if (mesh_.is_live(1, e)) collapsed += collapse(mesh_.dart_of(1, e));
   result_.collapses += collapsed;
   return collapsed;
 }
@@ -177,7 +177,7 @@ void Remesher::read_stars(const Copies& copies, int k, DartBuffer& triangles) {
   triangles.clear();
   const std::span<const Copy> here = copies.of(node_);
   for (const Copy& c : here) {
-    root_.star(c.dart, k, star_);
+    mesh_.star(c.dart, k, star_);
     triangles.insert(triangles.end(), star_.begin(), star_.end());
   }
   drop_repeated(triangles, here.size());
@@ -187,13 +187,13 @@ void Remesher::read_stars_of_ends(const Copies& edges, DartBuffer& triangles) {
   triangles.clear();
   const std::span<const Copy> here = edges.of(node_);
   for (const Copy& c : here) {
-    const Index a = root_.vertex(c.dart);
-    root_.star(c.dart, 0, star_);
+    const Index a = mesh_.vertex(c.dart);
+    mesh_.star(c.dart, 0, star_);
     triangles.insert(triangles.end(), star_.begin(), star_.end());
-    root_.star(root_.reorder(c.dart, exchange_ends), 0, star_);
+    mesh_.star(mesh_.reorder(c.dart, exchange_ends), 0, star_);
     for (const Dart t : star_) {
       std::array<Index, 4> v{};
-      root_.vertices(t, v.data());
+      mesh_.vertices(t, v.data());
       if (v[1] != a && v[2] != a) triangles.push_back(t);
     }
   }
@@ -204,9 +204,9 @@ void Remesher::read_stars_of_ends(const Copies& edges, DartBuffer& triangles) {
 void Remesher::drop_repeated(DartBuffer& triangles, std::size_t stars) const {
   if (stars < 2) return;
   std::sort(triangles.begin(), triangles.end(),
-            [&](Dart s, Dart t) { return root_.facet(s) < root_.facet(t); });
+            [&](Dart s, Dart t) { return mesh_.facet(s) < mesh_.facet(t); });
   const auto repeated = std::unique(triangles.begin(), triangles.end(),
-                                    [&](Dart s, Dart t) { return root_.facet(s) == root_.facet(t); });
+                                    [&](Dart s, Dart t) { return mesh_.facet(s) == mesh_.facet(t); });
   triangles.erase(repeated, triangles.end());
 }
 
@@ -247,7 +247,7 @@ bool Remesher::collapse(Dart edge) {
   if (measure(edge) >= shortest_ || strata_.is_frozen(edge)) return false;
   std::array<std::pair<double, Dart>, 2> ways{};
   std::size_t n = 0;
-  for (const Dart d : {edge, root_.reorder(edge, exchange_ends)})
+  for (const Dart d : {edge, mesh_.reorder(edge, exchange_ends)})
     if (may_be_removed(d)) ways[n++] = {longest_after_collapse(d), d};
   if (n == 2 && ways[1].first < ways[0].first) std::swap(ways[0], ways[1]);
   for (std::size_t i = 0; i < n; ++i) {
@@ -259,8 +259,8 @@ bool Remesher::collapse(Dart edge) {
 
 // Of (a, b, ..): a goes to b.
 bool Remesher::collapse_guarded(Dart d) {
-  const Dart b = root_.reorder(d, exchange_ends);
-  if (!shape_.allows(d, at(b), root_.vertex(b))) return false;
+  const Dart b = mesh_.reorder(d, exchange_ends);
+  if (!shape_.allows(d, at(b), mesh_.vertex(b))) return false;
   copies_.collect(tree_, node_, d, 1);
   if (!others_allow_collapse(d) || !charts_allow_collapse()) return false;
   read_stars_of_ends(copies_, changing_);
@@ -270,34 +270,34 @@ bool Remesher::collapse_guarded(Dart d) {
 // Of the other copies that the surface has of the edge.
 bool Remesher::others_allow_collapse(Dart edge) {
   for (const Copy& c : copies_.of(node_)) {
-    const Dart b = root_.reorder(c.dart, exchange_ends);
-    if (!root_.same_simplex(c.dart, edge, 1) && !shape_.allows(c.dart, at(b), root_.vertex(b))) return false;
+    const Dart b = mesh_.reorder(c.dart, exchange_ends);
+    if (!mesh_.same_simplex(c.dart, edge, 1) && !shape_.allows(c.dart, at(b), mesh_.vertex(b))) return false;
   }
   return true;
 }
 
 void Remesher::swap_edges() {
-  for (Index e = 0; e < root_.capacity(1); ++e)
-    if (root_.is_live(1, e)) result_.swaps += swap(root_.dart_of(1, e));
+  for (Index e = 0; e < mesh_.capacity(1); ++e)
+    if (mesh_.is_live(1, e)) result_.swaps += swap(mesh_.dart_of(1, e));
 }
 
 /// How far from the regular number of neighbours a vertex is with so many more.
 int Remesher::deviation(Dart vertex, int change) {
-  root_.star(vertex, 0, star_);
-  const bool boundary = root_.is_boundary(vertex, 0);
+  mesh_.star(vertex, 0, star_);
+  const bool boundary = mesh_.is_boundary(vertex, 0);
   const int valence = static_cast<int>(star_.size()) + boundary;
   return std::abs(valence + change - (boundary ? 4 : 6));
 }
 
 bool Remesher::may_be_swapped(Dart edge) {
-  return !root_.is_boundary(edge, 1) && strata_.is_plain(edge);
+  return !mesh_.is_boundary(edge, 1) && strata_.is_plain(edge);
 }
 
 bool Remesher::swap(Dart edge) {
   if (!may_be_swapped(edge)) return false;
-  const Dart beyond = root_.switch_dart(edge, 2);
-  const Dart b = root_.reorder(edge, exchange_ends), l = root_.reorder(edge, permutation(2, 0, 1)),
-             r = root_.reorder(beyond, permutation(2, 0, 1));
+  const Dart beyond = mesh_.switch_dart(edge, 2);
+  const Dart b = mesh_.reorder(edge, exchange_ends), l = mesh_.reorder(edge, permutation(2, 0, 1)),
+             r = mesh_.reorder(beyond, permutation(2, 0, 1));
   const int now = deviation(edge, 0) + deviation(b, 0) + deviation(l, 0) + deviation(r, 0);
   const int then = deviation(edge, -1) + deviation(b, -1) + deviation(l, 1) + deviation(r, 1);
   if (then > now) return false;
@@ -311,7 +311,7 @@ bool Remesher::swap_guarded(Dart edge) {
   if (!shape_.allows_swap(edge)) return false;
   copies_.collect(tree_, node_, edge, 1);
   if (!charts_allow_swap()) return false;
-  root_.star(edge, 1, changing_);
+  mesh_.star(edge, 1, changing_);
   return guarded([&] { return operations_.swap(node_, edge); });
 }
 

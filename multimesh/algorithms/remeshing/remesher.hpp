@@ -82,8 +82,8 @@ class Remesher {
   bool guarded(const std::function<Outcome()>& operation);
   bool assign(const Place& to);
 
-  OpenMesh::Vec3d at(Dart d) const { return positions_.at(root_.vertex(d)); }
-  double length(Dart edge) const { return (at(edge) - at(root_.reorder(edge, exchange_ends))).norm(); }
+  OpenMesh::Vec3d at(Dart d) const { return positions_.at(mesh_.vertex(d)); }
+  double length(Dart edge) const { return (at(edge) - at(mesh_.reorder(edge, exchange_ends))).norm(); }
   /// Its length beside the thresholds.
   double measure(Dart edge);
   double measure_on_line(double length, Dart from, Dart to);
@@ -96,7 +96,7 @@ class Remesher {
   Propagation& operations_;
   const MultiMesh& tree_;
   NodeId node_;
-  const Mesh& root_;
+  const Mesh& mesh_;
   Coordinates& positions_;
   std::span<Coordinates* const> below_;
   const RemeshOptions& options_;
