@@ -322,8 +322,9 @@ TEST_F(TetrahedralizeCommand, AWorkerThatCrashesIsAnErrorThatNamesTheWayOut) {
 
 TEST_F(TetrahedralizeCommand, TheWorkerEndsWithTheProgram) {
   file("cube.obj", obj({{"", cube_at(0)}}));
-  // TetGen itself, at work that takes it minutes.
-  const pid_t p = start({"tetrahedralize", "cube.obj", "-o", "out.msh", "--max-volume", "1e-8"});
+  // TetGen itself, at work that takes it minutes: with the surface as it is, it would give up at once.
+  const pid_t p =
+      start({"tetrahedralize", "cube.obj", "-o", "out.msh", "--max-volume", "1e-8", "--split-surface"});
   const fs::path children = fs::path("/proc") / std::to_string(p) / "task" / std::to_string(p) / "children";
   std::string worker;
   for (int i = 0; i < 500 && worker.empty(); ++i) {
