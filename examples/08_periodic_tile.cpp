@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "multimesh/algorithms/periodic.hpp"
+#include "multimesh/domains/periodic_domain.hpp"
 #include "multimesh/validate.hpp"
 
 using namespace multimesh;

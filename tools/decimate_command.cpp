@@ -9,7 +9,7 @@
 
 #include "adapters/io/atomic_file.hpp"
 #include "multimesh/algorithms/texture_loss.hpp"
-#include "multimesh/algorithms/turn_reversed.hpp"
+#include "multimesh/domains/turn_reversed.hpp"
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #include "tools/comparison_json.hpp"

@@ -13,8 +13,8 @@
 #include "adapters/io/simplex_writer.hpp"
 #include "adapters/io/soup_check.hpp"
 #include "adapters/io/used_points.hpp"
-#include "multimesh/coordinate_range.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/geometry/coordinate_range.hpp"
 
 namespace multimesh::tools {
 

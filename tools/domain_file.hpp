@@ -8,8 +8,8 @@
 
 #include "adapters/io/polygon_soup.hpp"
 #include "adapters/io/simplex_soup.hpp"
-#include "multimesh/algorithms/tet_domain.hpp"
-#include "multimesh/algorithms/textured_triangles.hpp"
+#include "multimesh/domains/tet_domain.hpp"
+#include "multimesh/domains/textured_triangles.hpp"
 
 namespace multimesh::tools {
 

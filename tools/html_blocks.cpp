@@ -42,12 +42,12 @@ bool has_texcoords(const TexturedTriangles& surface) {
 
 HtmlFrame common_frame(const TexturedTriangles& before, const TexturedTriangles& after) {
   constexpr double most = std::numeric_limits<double>::max();
-  OpenMesh::Vec3d low(most, most, most), high = -low;
+  Vec3 low(most, most, most), high = -low;
   for (const TexturedTriangles* mesh : {&before, &after})
     for (const auto& triangle : mesh->triangles)
       for (const auto& corner : triangle) {
         const auto& p = mesh->positions[static_cast<std::size_t>(corner.position)];
-        low.minimize(p), high.maximize(p);
+        low = min(low, p), high = max(high, p);
       }
   if (low[0] > high[0]) return {};
   const double size = (high - low).norm();

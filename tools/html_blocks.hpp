@@ -13,10 +13,10 @@ namespace multimesh::tools {
 /// Where the meshes of a page are in space: single precision is not enough for coordinates far from the
 /// origin.
 struct HtmlFrame {
-  OpenMesh::Vec3d center{0, 0, 0};
+  Vec3 center{0, 0, 0};
   double size = 1;
 
-  OpenMesh::Vec3d operator()(const OpenMesh::Vec3d& p) const { return (p - center) / size; }
+  Vec3 operator()(const Vec3& p) const { return (p - center) / size; }
 };
 
 /// Centred, and of size 1 for the diagonal of the bounding box of both, by the positions that triangles have.

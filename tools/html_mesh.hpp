@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "multimesh/algorithms/textured_surface.hpp"
+#include "multimesh/domains/textured_surface.hpp"
 #include "tools/mtl_materials.hpp"
 #include "tools/surface_file.hpp"
 

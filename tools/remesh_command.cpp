@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "adapters/io/atomic_file.hpp"
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 #include "multimesh/version.hpp"
 #include "tools/command.hpp"
 #include "tools/follow_paths.hpp"

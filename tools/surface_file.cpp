@@ -10,8 +10,8 @@
 
 #include "adapters/io/mesh_reader.hpp"
 #include "adapters/io/triangulate.hpp"
-#include "multimesh/algorithms/shading.hpp"
-#include "multimesh/algorithms/turn_reversed.hpp"
+#include "multimesh/domains/shading.hpp"
+#include "multimesh/domains/turn_reversed.hpp"
 #include "multimesh/error.hpp"
 #include "tools/domain_file.hpp"
 #include "tools/domain_input.hpp"
@@ -157,12 +157,12 @@ SurfaceFile to_surface(io::PolygonSoup soup, const std::filesystem::path& path,
   if (file.input.triangles.empty()) throw InputError(path.string() + ": no triangle is left");
   file.sections = std::move(soup.sections);
   if (file.sections.empty()) file.sections.emplace_back();
-  file.input.positions = taken<OpenMesh::Vec3d>(soup.positions);
-  file.input.texcoords = taken<OpenMesh::Vec2d>(soup.texcoords);
-  file.input.colors = taken<OpenMesh::Vec3d>(soup.colors);
+  file.input.positions = taken<Vec3>(soup.positions);
+  file.input.texcoords = taken<Vec2>(soup.texcoords);
+  file.input.colors = taken<Vec3>(soup.colors);
   check_size(file);
   if (any_normal(normal_corners)) {
-    const auto normals = taken<OpenMesh::Vec3d>(soup.normals);
+    const auto normals = taken<Vec3>(soup.normals);
     file.input.shading = shading(file.input, normals, normal_corners);
   }
   return file;

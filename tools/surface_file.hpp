@@ -9,7 +9,7 @@
 #include "adapters/io/polygon_soup.hpp"
 #include "adapters/io/simplex_soup.hpp"
 #include "adapters/io/weld_surface.hpp"
-#include "multimesh/algorithms/textured_surface.hpp"
+#include "multimesh/domains/textured_surface.hpp"
 
 namespace multimesh::tools {
 

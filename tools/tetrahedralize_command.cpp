@@ -4,8 +4,8 @@
 #include <memory>
 #include <numbers>
 
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 #include "tools/command.hpp"
 #include "tools/domain_input.hpp"
 #include "tools/domain_json.hpp"

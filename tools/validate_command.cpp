@@ -41,8 +41,8 @@ std::size_t count_flat(const TexturedTriangles& t) {
   std::size_t flat = 0;
   for (const auto& c : t.triangles) {
     const auto p = [&](std::size_t i) { return t.positions[static_cast<std::size_t>(c[i].position)]; };
-    const OpenMesh::Vec3d normal = (p(1) - p(0)) % (p(2) - p(0));
-    flat += normal == OpenMesh::Vec3d(0, 0, 0);
+    const Vec3 normal = cross(p(1) - p(0), p(2) - p(0));
+    flat += normal == Vec3(0, 0, 0);
   }
   return flat;
 }

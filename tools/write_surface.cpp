@@ -7,7 +7,7 @@
 #include "adapters/io/mtl.hpp"
 #include "adapters/io/obj_writer.hpp"
 #include "adapters/io/polygon_writer.hpp"
-#include "multimesh/algorithms/corner_normals.hpp"
+#include "multimesh/domains/corner_normals.hpp"
 #include "multimesh/hash.hpp"
 #include "multimesh/version.hpp"
 #include "tools/surface_file.hpp"

@@ -13,7 +13,7 @@ constexpr double thin = 16;
 /// Pieces besides the triangles themselves: so many each, and so many in any case.
 constexpr double pieces_each = 2, pieces_any = 100000;
 
-double squared(const Point& a, const Point& b) {
+double squared(const Vec3& a, const Vec3& b) {
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   return x * x + y * y + z * z;
 }
@@ -25,7 +25,7 @@ std::size_t longest_side(const Triangle& t) {
 }
 
 double area(const Triangle& t) {
-  const Point &a = t[0], &b = t[1], &c = t[2];
+  const Vec3 &a = t[0], &b = t[1], &c = t[2];
   const double u[] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
   return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
 }
@@ -57,13 +57,13 @@ class Cutter {
 
   void add(const Piece& p, double area) {
     const std::size_t i = longest_side(p.triangle);
-    const Point &a = p.triangle[i], &b = p.triangle[(i + 1) % 3], &c = p.triangle[(i + 2) % 3];
+    const Vec3 &a = p.triangle[i], &b = p.triangle[(i + 1) % 3], &c = p.triangle[(i + 2) % 3];
     const double length = squared(a, b);
     if (!(length > thin * area && length > shortest_ * shortest_)) {
       result_.push_back(p);
       return;
     }
-    const Point middle = at({a, b, c}, {0.5, 0.5, 0});
+    const Vec3 middle = at({a, b, c}, {0.5, 0.5, 0});
     add({{a, middle, c}, p.facet}, area / 2);
     add({{middle, b, c}, p.facet}, area / 2);
   }

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "multimesh/closest_point.hpp"
 #include "multimesh/dart.hpp"
+#include "multimesh/geometry/closest_point.hpp"
 
 namespace multimesh::spatial {
 

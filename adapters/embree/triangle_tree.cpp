@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "adapters/embree/box_tree.hpp"
 #include "adapters/embree/pieces.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/geometry/box_tree.hpp"
 
 namespace multimesh::spatial {
 
@@ -35,7 +35,7 @@ void check(RTCDevice device) {
   throw std::runtime_error("Embree: error " + std::to_string(error));
 }
 
-bool finite(const Point& p) {
+bool finite(const Vec3& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
@@ -50,14 +50,14 @@ constexpr double tiny = 20 * float_error;
 constexpr std::size_t most_tiny = 1000;
 
 struct Frame {
-  Point center{};
+  Vec3 center{};
   double scale = 1;  ///< from lengths of the triangles to Embree's
 
   explicit Frame(const std::vector<Triangle>& triangles) {
     if (triangles.empty()) return;
-    Point low = triangles[0][0], high = low;
+    Vec3 low = triangles[0][0], high = low;
     for (const Triangle& t : triangles)
-      for (const Point& p : t)
+      for (const Vec3& p : t)
         for (std::size_t i = 0; i < 3; ++i)
           low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
     double half = 0;
@@ -106,10 +106,10 @@ struct TriangleTree::Data {
   /// Calls visit(facet) for all facets that may be within the radius, which visit returns: it may shrink.
   /// Some are visited several times.
   template <class Visit>
-  void traverse(const Point& p, double radius, Visit visit) const;
+  void traverse(const Vec3& p, double radius, Visit visit) const;
 
   template <class Choice>
-  std::optional<Nearby> nearest(const Point& p, double max_distance, Choice choose) const;
+  std::optional<Nearby> nearest(const Vec3& p, double max_distance, Choice choose) const;
 };
 
 namespace {
@@ -167,7 +167,7 @@ void TriangleTree::Data::build() {
 }
 
 template <class Visit>
-void TriangleTree::Data::traverse(const Point& p, double radius, Visit visit) const {
+void TriangleTree::Data::traverse(const Vec3& p, double radius, Visit visit) const {
   if (!finite(p)) throw UsageError("TriangleTree: the point is not finite");
   if (triangles.empty() || !(radius >= 0)) return;
   std::array<double, 3> at{};
@@ -216,7 +216,7 @@ const std::vector<Triangle>& TriangleTree::triangles() const {
 
 // The order of the visits is Embree's. It does not matter: the least pair of distance and facet is kept.
 template <class Choice>
-std::optional<Nearby> TriangleTree::Data::nearest(const Point& p, double max_distance, Choice choose) const {
+std::optional<Nearby> TriangleTree::Data::nearest(const Vec3& p, double max_distance, Choice choose) const {
   Nearby best;
   best.squared_distance = max_distance * max_distance;
   double radius = max_distance;
@@ -233,12 +233,12 @@ std::optional<Nearby> TriangleTree::Data::nearest(const Point& p, double max_dis
   return best;
 }
 
-std::optional<Nearby> TriangleTree::nearest(const Point& p, double max_distance) const {
+std::optional<Nearby> TriangleTree::nearest(const Vec3& p, double max_distance) const {
   return data_->nearest(
       p, max_distance, [&](Index facet) { return std::optional(closest_point(p, data_->triangles[facet])); });
 }
 
-bool TriangleTree::has_within(const Point& p, double max_distance) const {
+bool TriangleTree::has_within(const Vec3& p, double max_distance) const {
   bool found = false;
   data_->traverse(p, max_distance, [&](Index facet) {
     found =
@@ -248,12 +248,12 @@ bool TriangleTree::has_within(const Point& p, double max_distance) const {
   return found;
 }
 
-std::optional<Nearby> TriangleTree::nearest_chosen(const Point& p, const Choose& choose,
+std::optional<Nearby> TriangleTree::nearest_chosen(const Vec3& p, const Choose& choose,
                                                    double max_distance) const {
   return data_->nearest(p, max_distance, std::cref(choose));
 }
 
-void TriangleTree::within(const Point& p, double radius, std::vector<Nearby>& found) const {
+void TriangleTree::within(const Vec3& p, double radius, std::vector<Nearby>& found) const {
   found.clear();
   data_->traverse(p, radius, [&](Index facet) {
     const PointOnTriangle q = closest_point(p, data_->triangles[facet]);

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "multimesh/closest_point.hpp"
 #include "multimesh/dart.hpp"
+#include "multimesh/geometry/closest_point.hpp"
 
 namespace multimesh::spatial {
 
@@ -37,21 +37,21 @@ class TriangleTree {
 
   /// The closest triangle; none if there is none within `max_distance`, inclusive. A bound that is known, a
   /// distance to any of the triangles for instance, makes it faster. \throw UsageError if p is not finite
-  std::optional<Nearby> nearest(const Point& p,
+  std::optional<Nearby> nearest(const Vec3& p,
                                 double max_distance = std::numeric_limits<double>::infinity()) const;
 
   /// Whether any triangle is within `max_distance`, inclusive: as soon as one is found, no other is asked.
-  bool has_within(const Point& p, double max_distance) const;
+  bool has_within(const Vec3& p, double max_distance) const;
 
   /// As nearest, but of each triangle that point counts which `choose` gives, with its squared distance to p;
   /// none: the triangle is left out. Triangles that are too far are not asked for.
   using Choose = std::function<std::optional<PointOnTriangle>(Index facet)>;
-  std::optional<Nearby> nearest_chosen(const Point& p, const Choose& choose,
+  std::optional<Nearby> nearest_chosen(const Vec3& p, const Choose& choose,
                                        double max_distance = std::numeric_limits<double>::infinity()) const;
 
   /// All triangles within `radius`, inclusive, by ascending facet. `found` is overwritten; keep it, and
   /// nothing is allocated in the steady state. \throw UsageError if p is not finite
-  void within(const Point& p, double radius, std::vector<Nearby>& found) const;
+  void within(const Vec3& p, double radius, std::vector<Nearby>& found) const;
 
  private:
   struct Data;

@@ -9,7 +9,7 @@
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/repeated_faces.hpp"
 #include "adapters/io/soup_check.hpp"
-#include "multimesh/coordinate_range.hpp"
+#include "multimesh/geometry/coordinate_range.hpp"
 
 namespace multimesh::io {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <functional>
 #include <memory>
 #include <type_traits>
@@ -14,6 +13,7 @@
 #include "adapters/openmesh/mean.hpp"
 #include "adapters/openmesh/no_flips.hpp"
 #include "adapters/openmesh/property_handle.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::openmesh {
 
@@ -74,7 +74,7 @@ class Attached : public AttachedTree {
     const OpenMesh::BaseProperty& at_corners = mesh_.property(mesh_.halfedge_texcoords2D_pph());
     if (when == WriteBack::each_operation) require_carried(at_corners);
     std::vector<TexCoord>& at_halfedges = values(mesh_.halfedge_texcoords2D_pph());
-    std::vector<OpenMesh::Vec2d> places(at_halfedges.size());
+    std::vector<Vec2> places(at_halfedges.size());
     for (std::size_t h = 0; h < places.size(); ++h) places[h] = {at_halfedges[h][0], at_halfedges[h][1]};
     const TextureChild child = add_texture_node(textured, places);
     std::vector<TexCoord>& at_vertices =

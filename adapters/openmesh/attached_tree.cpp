@@ -116,13 +116,13 @@ void AttachedTree::require_texture(bool has_texture) {
 }
 
 TextureChild AttachedTree::add_texture_node(const std::function<bool(OpenMesh::FaceHandle)>& textured,
-                                            const std::vector<OpenMesh::Vec2d>& places) {
+                                            const std::vector<Vec2>& places) {
   TexturedCorners corners;
   for (const auto f : root_.all_faces()) {
     if (root_.status(f).deleted() || (textured && !textured(f))) continue;
     corners.facets.push_back(static_cast<Index>(f.idx()));
     for (const auto h : root_.fh_range(f)) {
-      const OpenMesh::Vec2d& place = places[static_cast<std::size_t>(h.idx())];
+      const Vec2& place = places[static_cast<std::size_t>(h.idx())];
       if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
         throw InputError("face " + std::to_string(f.idx()) + ": the texture coordinates of halfedge " +
                          std::to_string(h.idx()) +

@@ -96,7 +96,7 @@ class AttachedTree {
   static void require_texture(bool has_texture);
   /// `places`: per halfedge. The result names a halfedge per vertex of the texture.
   TextureChild add_texture_node(const std::function<bool(OpenMesh::FaceHandle)>& textured,
-                                const std::vector<OpenMesh::Vec2d>& places);
+                                const std::vector<Vec2>& places);
   OpenMesh::PolyConnectivity& child_connectivity(NodeId n);
 
  private:

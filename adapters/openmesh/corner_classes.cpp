@@ -36,8 +36,7 @@ std::uint64_t bits(double x) {
 }  // namespace
 
 std::vector<Index> first_equal_corners(std::span<const Index> vertex, Index vertices,
-                                       std::span<const Index> texcoord,
-                                       std::span<const OpenMesh::Vec2d> values) {
+                                       std::span<const Index> texcoord, std::span<const Vec2> values) {
   const CornersByVertex by_vertex(vertex, vertices);
   std::vector<Index> first(vertex.size());
   std::vector<Valued> here;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <span>
 #include <vector>
 
 #include "multimesh/dart.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::openmesh {
 
@@ -13,7 +13,6 @@ namespace multimesh::openmesh {
 /// `vertex` and `texcoord`: per corner, indices below `vertices` and into `values`. Cost: n log k for n
 /// corners, k at a vertex; linear where all corners of each vertex have one index.
 std::vector<Index> first_equal_corners(std::span<const Index> vertex, Index vertices,
-                                       std::span<const Index> texcoord,
-                                       std::span<const OpenMesh::Vec2d> values);
+                                       std::span<const Index> texcoord, std::span<const Vec2> values);
 
 }  // namespace multimesh::openmesh

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "multimesh/attribute.hpp"
+#include "multimesh/geometry/orient2d.hpp"
 #include "multimesh/invariant.hpp"
-#include "multimesh/orient2d.hpp"
 
 namespace multimesh::openmesh {
 

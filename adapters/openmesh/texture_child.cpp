@@ -12,7 +12,7 @@ namespace multimesh::openmesh {
 namespace {
 
 /// Facets by classes of corners, numbered as they come; `texcoord_of`: per class, into the list of values.
-FacetList by_class(const TexturedCorners& in, Index surface_vertices, std::span<const OpenMesh::Vec2d> values,
+FacetList by_class(const TexturedCorners& in, Index surface_vertices, std::span<const Vec2> values,
                    std::vector<Index>& texcoord_of) {
   FacetList classes{2, 0, first_equal_corners(in.corners, surface_vertices, in.texcoord, values)};
   for (Index c = 0; c < classes.corners.size(); ++c) {
@@ -30,7 +30,7 @@ FacetList by_class(const TexturedCorners& in, Index surface_vertices, std::span<
 }  // namespace
 
 TextureChild add_texture_child(MultiMesh& tree, NodeId parent, TexturedCorners in,
-                               std::span<const OpenMesh::Vec2d> values) {
+                               std::span<const Vec2> values) {
   if (in.facets.empty()) throw InputError("no triangle has texture coordinates: the child would be empty");
   const Index surface_vertices = tree.mesh(parent).capacity(0);
   std::vector<Index> texcoord_of;

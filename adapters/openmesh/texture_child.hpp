@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <span>
 #include <vector>
 
+#include "multimesh/geometry/vector.hpp"
 #include "multimesh/multi_mesh.hpp"
 
 namespace multimesh::openmesh {
@@ -25,6 +25,6 @@ struct TextureChild {
 /// surface and equal texture coordinates, cut to be manifold (charts that touch in a point come apart).
 /// \throw InputError if there is no triangle; the tree is unchanged then. Cost: O(n log n)
 TextureChild add_texture_child(MultiMesh& tree, NodeId parent, TexturedCorners corners,
-                               std::span<const OpenMesh::Vec2d> values);
+                               std::span<const Vec2> values);
 
 }  // namespace multimesh::openmesh

@@ -66,14 +66,14 @@ class Neighbourhood {
     const auto v = vertices_of(root_, edge);
     origin_ = s.positions()[v[0]];
     x_ = (s.positions()[v[1]] - origin_).normalized();
-    const Vec3d n = cross(x_, s.positions()[v[2]] - origin_).normalized();
+    const Vec3 n = cross(x_, s.positions()[v[2]] - origin_).normalized();
     y_ = cross(n, x_);
   }
-  Vec2d flat(const Vec3d& p) const { return {(p - origin_) | x_, (p - origin_) | y_}; }
+  Vec2 flat(const Vec3& p) const { return {dot(p - origin_, x_), dot(p - origin_, y_)}; }
 
   /// What is there now: all live triangles at the vertices that were there, and at new ones beyond
   /// `old_vertices`.
-  void draw(Svg& svg, Vec2d corner, Index old_vertices, const std::string& title) {
+  void draw(Svg& svg, Vec2 corner, Index old_vertices, const std::string& title) {
     const MultiMesh& tree = surface_.tree();
     const Mesh& texture = tree.mesh(*surface_.texture());
     DartBuffer now;
@@ -85,7 +85,7 @@ class Neighbourhood {
           }) == 3;
       if (inside) now.push_back(t);
     }
-    std::array<std::vector<Vec2d>, 3> points;  // on the surface; in the texture, on both sides of the seam
+    std::array<std::vector<Vec2>, 3> points;  // on the surface; in the texture, on both sides of the seam
     for (const Dart t : now)
       for (std::size_t i = 0; i < 3; ++i) {
         points[0].push_back(flat(surface_.positions()[vertices_of(root_, t)[i]]));
@@ -94,10 +94,10 @@ class Neighbourhood {
       }
     if (frame_[0].empty()) frame_ = points;  // the same for all pictures
     const std::array<Fit, 3> fits{Fit(frame_[0], corner, {180, 90}),
-                                  Fit(frame_[1], corner + Vec2d(0, 120), {180, 65}),
-                                  Fit(frame_[2], corner + Vec2d(0, 205), {180, 65})};
+                                  Fit(frame_[1], corner + Vec2(0, 120), {180, 65}),
+                                  Fit(frame_[2], corner + Vec2(0, 205), {180, 65})};
     for (const Dart t : now) draw_triangle(svg, t, fits[0], fits[side(t)]);
-    svg.text(corner + Vec2d(90, -8), title, 12);
+    svg.text(corner + Vec2(90, -8), title, 12);
   }
 
  private:
@@ -119,7 +119,7 @@ class Neighbourhood {
     const MultiMesh& tree = surface_.tree();
     const Mesh& texture = tree.mesh(*surface_.texture());
     const Dart copy = tree.facet_copy(*surface_.texture(), t);
-    std::vector<Vec2d> p, q;
+    std::vector<Vec2> p, q;
     for (std::size_t i = 0; i < 3; ++i) {
       p.push_back(fit(flat(surface_.positions()[vertices_of(root_, t)[i]])));
       q.push_back(fit_uv(surface_.texcoords()[vertices_of(texture, copy)[i]]));
@@ -138,8 +138,8 @@ class Neighbourhood {
   const TexturedSurface& surface_;
   const Mesh& root_;
   std::vector<Index> vertices_;
-  Vec3d origin_, x_, y_;
-  std::array<std::vector<Vec2d>, 3> frame_;
+  Vec3 origin_, x_, y_;
+  std::array<std::vector<Vec2>, 3> frame_;
 };
 
 /// An edge on a seam whose ends lie inside the seam, long beside the others.
@@ -161,8 +161,8 @@ Dart seam_edge(const TexturedSurface& s, Propagation& operations) {
 
 void operations_across_a_seam(const TexturedTriangles& spot, const fs::path& directory) {
   TexturedSurface s(coarse(spot, 900));
-  VertexAttribute<Vec3d> positions(NodeId::root, s.positions());
-  VertexAttribute<Vec2d> texcoords(*s.texture(), s.texcoords());
+  VertexAttribute<Vec3> positions(NodeId::root, s.positions());
+  VertexAttribute<Vec2> texcoords(*s.texture(), s.texcoords());
   Propagation operations(s.tree());
   operations.add(positions).add(texcoords);
   const Dart edge = seam_edge(s, operations);

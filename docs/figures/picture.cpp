@@ -6,7 +6,7 @@
 
 namespace multimesh::figures {
 
-Vec3d turned(const Vec3d& p, double around, double towards) {
+Vec3 turned(const Vec3& p, double around, double towards) {
   const double x = std::cos(around) * p[0] + std::sin(around) * p[2];
   const double z = -std::sin(around) * p[0] + std::cos(around) * p[2];
   return {x, std::cos(towards) * p[1] - std::sin(towards) * z,
@@ -49,12 +49,12 @@ std::vector<std::size_t> charts(const Mesh& texture) {
   return chart;
 }
 
-void draw_surface(Svg& svg, const TexturedSurface& surface, Vec2d corner, Vec2d size,
+void draw_surface(Svg& svg, const TexturedSurface& surface, Vec2 corner, Vec2 size,
                   const std::function<std::string(Index)>& fill, double around, double towards) {
   const Mesh& root = surface.tree().mesh(NodeId::root);
-  std::vector<Vec3d> at;
-  std::vector<Vec2d> flat;
-  for (const Vec3d& p : surface.positions()) {
+  std::vector<Vec3> at;
+  std::vector<Vec2> flat;
+  for (const Vec3& p : surface.positions()) {
     at.push_back(turned(p, around, towards));
     flat.emplace_back(at.back()[0], at.back()[1]);
   }
@@ -81,10 +81,10 @@ void draw_surface(Svg& svg, const TexturedSurface& surface, Vec2d corner, Vec2d 
   }
 }
 
-void draw_texture(Svg& svg, const TexturedSurface& surface, Vec2d corner, Vec2d size,
+void draw_texture(Svg& svg, const TexturedSurface& surface, Vec2 corner, Vec2 size,
                   const std::function<std::string(Index)>& fill) {
   const Mesh& texture = surface.tree().mesh(*surface.texture());
-  const std::vector<Vec2d>& at = surface.texcoords();
+  const std::vector<Vec2>& at = surface.texcoords();
   const Fit fit(at, corner, size);
   const DartBuffer all = triangles_of(texture);
   for (const Dart t : all) {

@@ -4,13 +4,13 @@
 #include <array>
 #include <functional>
 
-#include "multimesh/algorithms/textured_surface.hpp"
+#include "multimesh/domains/textured_surface.hpp"
 #include "svg.hpp"
 
 namespace multimesh::figures {
 
 /// Rotates about the vertical axis, then towards the viewer, in radians; z is the depth.
-Vec3d turned(const Vec3d& p, double around, double towards);
+Vec3 turned(const Vec3& p, double around, double towards);
 
 /// The live triangles of a mesh, as darts.
 DartBuffer triangles_of(const Mesh& mesh);
@@ -20,10 +20,10 @@ std::array<Index, 4> vertices_of(const Mesh& mesh, Dart d);
 std::vector<std::size_t> charts(const Mesh& texture);
 
 /// The surface from one side, far triangles first; seams as thick lines. `fill` per triangle of the surface.
-void draw_surface(Svg& svg, const TexturedSurface& surface, Vec2d corner, Vec2d size,
+void draw_surface(Svg& svg, const TexturedSurface& surface, Vec2 corner, Vec2 size,
                   const std::function<std::string(Index)>& fill, double around, double towards);
 /// The atlas, its border as thick lines. `fill` per triangle of the texture.
-void draw_texture(Svg& svg, const TexturedSurface& surface, Vec2d corner, Vec2d size,
+void draw_texture(Svg& svg, const TexturedSurface& surface, Vec2 corner, Vec2 size,
                   const std::function<std::string(Index)>& fill);
 
 }  // namespace multimesh::figures

@@ -27,24 +27,24 @@ Svg::Svg(double width, double height, const std::string& title, const std::strin
        << "<style>path{stroke:#666;stroke-width:.3;stroke-linecap:round}</style>\n";
 }
 
-void Svg::polygon(const std::vector<Vec2d>& points, const std::string& fill) {
+void Svg::polygon(const std::vector<Vec2>& points, const std::string& fill) {
   out_ << "<path d=\"";
   for (std::size_t i = 0; i < points.size(); ++i)
     out_ << (i == 0 ? 'M' : 'L') << number(points[i][0]) << ' ' << number(points[i][1]);
   out_ << "Z\" fill=\"" << fill << "\"/>\n";
 }
 
-void Svg::line(const Vec2d& p, const Vec2d& q, const std::string& color, double width) {
+void Svg::line(const Vec2& p, const Vec2& q, const std::string& color, double width) {
   out_ << "<path d=\"M" << number(p[0]) << ' ' << number(p[1]) << 'L' << number(q[0]) << ' ' << number(q[1])
        << "\" style=\"stroke:" << color << ";stroke-width:" << number(width) << "\"/>\n";
 }
 
-void Svg::dot(const Vec2d& p, double radius, const std::string& color) {
+void Svg::dot(const Vec2& p, double radius, const std::string& color) {
   out_ << "<circle cx=\"" << number(p[0]) << "\" cy=\"" << number(p[1]) << "\" r=\"" << number(radius)
        << "\" fill=\"" << color << "\"/>\n";
 }
 
-void Svg::text(const Vec2d& p, const std::string& words, double size, const std::string& anchor) {
+void Svg::text(const Vec2& p, const std::string& words, double size, const std::string& anchor) {
   out_ << "<text x=\"" << number(p[0]) << "\" y=\"" << number(p[1]) << "\" font-size=\"" << number(size)
        << "\" text-anchor=\"" << anchor << "\">" << words << "</text>\n";
 }
@@ -59,18 +59,18 @@ std::string color(std::size_t i) {
   return colors[i % colors.size()];
 }
 
-Fit::Fit(const std::vector<Vec2d>& points, Vec2d corner, Vec2d size) {
-  Vec2d high = points.front();
+Fit::Fit(const std::vector<Vec2>& points, Vec2 corner, Vec2 size) {
+  Vec2 high = points.front();
   low_ = high;
-  for (const Vec2d& p : points) low_.minimize(p), high.maximize(p);
-  const Vec2d extent = high - low_;
+  for (const Vec2& p : points) low_ = min(low_, p), high = max(high, p);
+  const Vec2 extent = high - low_;
   scale_ = std::min(size[0] / std::max(extent[0], 1e-12), size[1] / std::max(extent[1], 1e-12));
   height_ = extent[1];
   offset_ = corner + (size - extent * scale_) / 2;
 }
 
-Vec2d Fit::operator()(const Vec2d& p) const {
-  return offset_ + Vec2d(p[0] - low_[0], height_ - (p[1] - low_[1])) * scale_;
+Vec2 Fit::operator()(const Vec2& p) const {
+  return offset_ + Vec2(p[0] - low_[0], height_ - (p[1] - low_[1])) * scale_;
 }
 
 }  // namespace multimesh::figures

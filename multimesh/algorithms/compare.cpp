@@ -11,7 +11,6 @@
 
 namespace multimesh {
 
-using OpenMesh::Vec3d;
 using spatial::Nearby;
 using spatial::TriangleTree;
 
@@ -19,14 +18,14 @@ namespace comparison {
 namespace {
 
 struct Box {
-  Vec3d low;
+  Vec3 low;
   double diagonal;
 };
 
 Box bounding_box(const TexturedTriangles& s) {
-  Vec3d low = position(s, s.triangles[0][0]), high = low;
+  Vec3 low = position(s, s.triangles[0][0]), high = low;
   for (const Corners& t : s.triangles)
-    for (const auto& c : t) low.minimize(position(s, c)), high.maximize(position(s, c));
+    for (const auto& c : t) low = min(low, position(s, c)), high = max(high, position(s, c));
   return {low, (high - low).norm()};
 }
 
@@ -98,9 +97,9 @@ class Comparison {
   const TexturedTriangles &original_, &other_;
   const CompareOptions& options_;
   const Box box_;
-  std::vector<Sample> samples_;       // of the other surface
-  std::vector<Vec3d> points_;         // where they are
-  std::vector<Vec3d> closest_point_;  // of the original, to each
+  std::vector<Sample> samples_;      // of the other surface
+  std::vector<Vec3> points_;         // where they are
+  std::vector<Vec3> closest_point_;  // of the original, to each
   SurfaceComparison out_;
 };
 
@@ -113,8 +112,8 @@ OneWayDistance Comparison::summary_of(const std::vector<Nearby>& at_samples,
   return result;
 }
 
-std::vector<Vec3d> positions(const TexturedTriangles& surface, const std::vector<Index>& which) {
-  std::vector<Vec3d> all;
+std::vector<Vec3> positions(const TexturedTriangles& surface, const std::vector<Index>& which) {
+  std::vector<Vec3> all;
   for (const Index i : which) all.push_back(surface.positions[i]);
   return all;
 }
@@ -130,7 +129,7 @@ void Comparison::compare_distances() {
     const auto at_vertices = closest(tree, positions(other_, used), threads);
     out_.to_original = summary_of(at_samples, at_vertices);
     for (const Nearby& n : at_samples)
-      closest_point_.push_back(vec(spatial::at(tree.triangles()[n.facet], n.barycentric)));
+      closest_point_.push_back(spatial::at(tree.triangles()[n.facet], n.barycentric));
     if (options_.per_vertex) {
       out_.vertex_distance.assign(other_.positions.size(), 0);
       for (std::size_t i = 0; i < used.size(); ++i) out_.vertex_distance[used[i]] = relative(at_vertices[i]);
@@ -148,7 +147,7 @@ void Comparison::compare_distances() {
 
 double Comparison::color_psnr(const std::vector<Index>& textured,
                               const std::vector<TextureMap::Place>& places) const {
-  const auto color = [&](const Vec3d& x) { return color_pattern((x - box_.low) / box_.diagonal); };
+  const auto color = [&](const Vec3& x) { return color_pattern((x - box_.low) / box_.diagonal); };
   std::vector<double> difference;
   for (std::size_t i = 0; i < places.size(); ++i)
     difference.push_back((color(places[i].position) - color(closest_point_[textured[i]])).norm());

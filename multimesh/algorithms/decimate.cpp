@@ -7,20 +7,17 @@
 #include <memory>
 #include <numbers>
 
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/decimation/collapse_cost.hpp"
 #include "multimesh/algorithms/decimation/shape_tests.hpp"
 #include "multimesh/algorithms/decimation/surface_distance.hpp"
 #include "multimesh/algorithms/decimation/texture_distance.hpp"
 #include "multimesh/algorithms/decimation/texture_orientation.hpp"
-#include "multimesh/algorithms/surface_invariants.hpp"
 #include "multimesh/algorithms/vertex_locks.hpp"
+#include "multimesh/domains/surface_invariants.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 #include "multimesh/scheduler.hpp"
 
 namespace multimesh {
-
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
 
 namespace decimation {
 namespace {
@@ -58,7 +55,7 @@ class Decimator {
   void add_attributes();
   void add_invariants();
   void add_tests();
-  Vec2d merged_texcoord(std::size_t set, const VertexChange& c) const;
+  Vec2 merged_texcoord(std::size_t set, const VertexChange& c) const;
   const PlacementTest* failed_test(const CollapsePlan& plan);
   const PlacementTest* choose_place(Dart e);
   Outcome collapse(Dart e);
@@ -84,9 +81,9 @@ class Decimator {
   CollapsePlan plan_;  ///< for the edge at hand
   bool place_is_held_ = false;
 
-  VertexAttribute<Vec3d> positions_;
-  std::optional<VertexAttribute<Vec3d>> colors_;
-  std::vector<std::unique_ptr<VertexAttribute<Vec2d>>> texcoords_;
+  VertexAttribute<Vec3> positions_;
+  std::optional<VertexAttribute<Vec3>> colors_;
+  std::vector<std::unique_ptr<VertexAttribute<Vec2>>> texcoords_;
   std::vector<std::unique_ptr<PlacementTest>> tests_;
   std::size_t n_bounds_ = 0;  ///< the first of the tests: those that bound the result
   std::vector<std::unique_ptr<Invariant>> invariants_;
@@ -116,7 +113,7 @@ Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
 void Decimator::add_attributes() {
   operations_.add(positions_);
   for (std::size_t k = 0; k < reader_.n_sets(); ++k) {
-    texcoords_.push_back(std::make_unique<VertexAttribute<Vec2d>>(
+    texcoords_.push_back(std::make_unique<VertexAttribute<Vec2>>(
         surface_.textures()[k], surface_.texcoords(k),
         [this, k](Operation, const VertexChange& c) { return merged_texcoord(k, c); }));
     operations_.add(*texcoords_.back());
@@ -126,7 +123,7 @@ void Decimator::add_attributes() {
   operations_.add(*colors_);
 }
 
-Vec2d Decimator::merged_texcoord(std::size_t set, const VertexChange& c) const {
+Vec2 Decimator::merged_texcoord(std::size_t set, const VertexChange& c) const {
   for (const CollapsePlan::Copy& copy : plan_.copies())
     if (copy.set == set && std::minmax(copy.a, copy.b) == std::minmax(c.a, c.b)) return copy.texcoord;
   return texcoords_[set]->interpolated(c);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "multimesh/algorithms/tet_shape.hpp"
-#include "multimesh/orient3d.hpp"
+#include "multimesh/geometry/orient3d.hpp"
+#include "multimesh/geometry/tet_shape.hpp"
 #include "multimesh/tet_sides.hpp"
 
 namespace multimesh {

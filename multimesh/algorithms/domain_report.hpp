@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "multimesh/algorithms/surface_report.hpp"
-#include "multimesh/algorithms/tet_domain.hpp"
 #include "multimesh/algorithms/tet_topology.hpp"
+#include "multimesh/domains/tet_domain.hpp"
 
 namespace multimesh {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "multimesh/algorithms/tet_shape.hpp"
 #include "multimesh/algorithms/tet_topology.hpp"
+#include "multimesh/geometry/tet_shape.hpp"
 #include "multimesh/tet_sides.hpp"
 
 namespace multimesh {

@@ -7,8 +7,8 @@
 
 #include "multimesh/algorithms/improvement/improver.hpp"
 #include "multimesh/algorithms/improvement/obstacles.hpp"
-#include "multimesh/algorithms/tet_shape.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/geometry/tet_shape.hpp"
 
 namespace multimesh {
 

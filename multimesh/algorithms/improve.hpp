@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "multimesh/algorithms/tet_domain.hpp"
+#include "multimesh/domains/tet_domain.hpp"
 
 namespace multimesh {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "multimesh/algorithms/embedding.hpp"
-#include "multimesh/algorithms/textured_surface.hpp"
+#include "multimesh/domains/textured_surface.hpp"
+#include "multimesh/embedding.hpp"
 
 namespace multimesh {
 

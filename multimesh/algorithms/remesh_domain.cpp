@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "multimesh/algorithms/embedding.hpp"
-#include "multimesh/algorithms/simplices_stay.hpp"
+#include "multimesh/domains/simplices_stay.hpp"
+#include "multimesh/embedding.hpp"
 
 namespace multimesh {
 

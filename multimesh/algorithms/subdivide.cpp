@@ -9,11 +9,9 @@
 
 #include "adapters/openmesh/root_surface.hpp"
 #include "adapters/openmesh/temporary_property.hpp"
-#include "multimesh/algorithms/tree_strata.hpp"
+#include "multimesh/tree_strata.hpp"
 
 namespace multimesh {
-
-using OpenMesh::Vec3d;
 
 namespace {
 
@@ -25,14 +23,14 @@ class Rules {
 
   NodeId node() const { return at_.node(); }
   /// Of the new vertex on the edge of (a, b, ..).
-  Vec3d edge_point(Dart e);
+  Vec3 edge_point(Dart e);
   /// Of an old vertex.
-  Vec3d vertex_point(Dart v);
-  void set(Index v, const Vec3d& x) { at_.set(v, x); }
+  Vec3 vertex_point(Dart v);
+  void set(Index v, const Vec3& x) { at_.set(v, x); }
 
  private:
-  Vec3d at(Dart d) const { return at_.at(mesh_.vertex(d)); }
-  Vec3d other_end(Dart d) const { return at(mesh_.reorder(d, exchange_ends)); }
+  Vec3 at(Dart d) const { return at_.at(mesh_.vertex(d)); }
+  Vec3 other_end(Dart d) const { return at(mesh_.reorder(d, exchange_ends)); }
   bool is_line(Dart e) { return !strata_.is_plain(tree_.to_root(node(), e)); }
 
   const MultiMesh& tree_;
@@ -43,22 +41,22 @@ class Rules {
   DartBuffer edges_;
 };
 
-Vec3d Rules::edge_point(Dart e) {
-  const Vec3d middle = (at(e) + other_end(e)) / 2;
+Vec3 Rules::edge_point(Dart e) {
+  const Vec3 middle = (at(e) + other_end(e)) / 2;
   if (scheme_ == Subdivision::midpoint || is_line(e)) return middle;
   const Dart beyond = mesh_.switch_dart(e, 2);
-  const Vec3d left = at(mesh_.reorder(e, permutation(2, 0, 1))),
-              right = at(mesh_.reorder(beyond, permutation(2, 0, 1)));
+  const Vec3 left = at(mesh_.reorder(e, permutation(2, 0, 1))),
+             right = at(mesh_.reorder(beyond, permutation(2, 0, 1)));
   return middle * 0.75 + (left + right) / 8;
 }
 
-Vec3d Rules::vertex_point(Dart v) {
-  const Vec3d here = at(v);
+Vec3 Rules::vertex_point(Dart v) {
+  const Vec3 here = at(v);
   if (scheme_ == Subdivision::midpoint) return here;
   const Freedom freedom = strata_.freedom(tree_.to_root(node(), v));
   if (freedom == Freedom::none) return here;
   edges_around(mesh_, v, edges_);
-  Vec3d sum(0, 0, 0);
+  Vec3 sum(0, 0, 0);
   std::size_t n = 0;
   for (const Dart e : edges_) {
     if (freedom == Freedom::line && !is_line(e)) continue;
@@ -86,7 +84,7 @@ class Subdivider {
   struct Point {
     std::size_t rules;
     Index a, b;  ///< the edge's ends, or twice the old vertex
-    Vec3d at;
+    Vec3 at;
   };
   void plan_edges();
   void plan_vertices();

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "multimesh/algorithms/coordinates.hpp"
+#include "multimesh/coordinates.hpp"
 
 namespace multimesh {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "multimesh/algorithms/textured_surface.hpp"
+#include "multimesh/domains/textured_surface.hpp"
 
 namespace multimesh {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "multimesh/algorithms/betti_numbers.hpp"
-#include "multimesh/algorithms/tet_shape.hpp"
+#include "multimesh/geometry/tet_shape.hpp"
 #include "multimesh/pair_numbers.hpp"
 #include "multimesh/tet_sides.hpp"
 #include "multimesh/union_find.hpp"

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/comparison/texture_comparison.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 
 namespace multimesh {
 
@@ -42,7 +42,7 @@ class TextureMeter {
     quality.outside = static_cast<double>(pairs.move_into_charts(map_, points, places, threads)) / n;
     double squares = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
-      squares += (places[i].position - points[i].position).sqrnorm();
+      squares += (places[i].position - points[i].position).squared_norm();
     quality.deviation = std::sqrt(squares / n) / diagonal_;
     return quality;
   }

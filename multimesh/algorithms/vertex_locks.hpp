@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "multimesh/algorithms/textured_surface.hpp"
+#include "multimesh/domains/textured_surface.hpp"
 
 namespace multimesh {
 

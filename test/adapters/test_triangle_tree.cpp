@@ -23,7 +23,7 @@ class Random {
   double operator()(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
   }
-  Point point(const Point& low, const Point& high) {
+  Vec3 point(const Vec3& low, const Vec3& high) {
     return {(*this)(low[0], high[0]), (*this)(low[1], high[1]), (*this)(low[2], high[2])};
   }
 
@@ -31,7 +31,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-std::vector<Triangle> soup(std::size_t n, unsigned seed, double size, const Point& low, const Point& high) {
+std::vector<Triangle> soup(std::size_t n, unsigned seed, double size, const Vec3& low, const Vec3& high) {
   Random random(seed);
   std::vector<Triangle> triangles(n);
   for (Triangle& t : triangles) {
@@ -43,11 +43,11 @@ std::vector<Triangle> soup(std::size_t n, unsigned seed, double size, const Poin
   return triangles;
 }
 
-double distance(const Point& a, const Point& b) {
+double distance(const Vec3& a, const Vec3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-Nearby nearest_of_all(const std::vector<Triangle>& triangles, const Point& p) {
+Nearby nearest_of_all(const std::vector<Triangle>& triangles, const Vec3& p) {
   Nearby best{no_index, {}, infinity};
   for (Index f = 0; f < triangles.size(); ++f)
     if (const auto q = closest_point(p, triangles[f]); q.squared_distance < best.squared_distance)
@@ -62,10 +62,10 @@ void expect_equal(const Nearby& a, const Nearby& b) {
 }
 
 /// nearest and within at some points against brute force, to the last bit.
-void expect_as_brute_force(const std::vector<Triangle>& triangles, const std::vector<Point>& points) {
+void expect_as_brute_force(const std::vector<Triangle>& triangles, const std::vector<Vec3>& points) {
   const TriangleTree tree(triangles);
   std::vector<Nearby> found;
-  for (const Point& p : points) {
+  for (const Vec3& p : points) {
     const Nearby expected = nearest_of_all(triangles, p);
     const auto nearest = tree.nearest(p);
     ASSERT_TRUE(nearest);
@@ -87,10 +87,10 @@ void expect_as_brute_force(const std::vector<Triangle>& triangles, const std::ve
   }
 }
 
-std::vector<Point> points(std::size_t n, unsigned seed, const Point& low, const Point& high) {
+std::vector<Vec3> points(std::size_t n, unsigned seed, const Vec3& low, const Vec3& high) {
   Random random(seed);
-  std::vector<Point> all(n);
-  for (Point& p : all) p = random.point(low, high);
+  std::vector<Vec3> all(n);
+  for (Vec3& p : all) p = random.point(low, high);
   return all;
 }
 
@@ -98,7 +98,7 @@ TEST(ClosestPoint, IsNoFartherThanAnyPointOfADenseSampling) {
   Random random(1);
   for (int k = 0; k < 200; ++k) {
     const Triangle t = soup(1, static_cast<unsigned>(k), 1, {-1, -1, -1}, {1, 1, 1})[0];
-    const Point p = random.point({-2, -2, -2}, {2, 2, 2});
+    const Vec3 p = random.point({-2, -2, -2}, {2, 2, 2});
     const auto q = closest_point(p, t);
     const auto& w = q.barycentric;
     EXPECT_NEAR(w[0] + w[1] + w[2], 1, 1e-15);
@@ -142,7 +142,7 @@ TEST(TriangleTree, RandomTriangles) {
 
 TEST(TriangleTree, PointsOnTheTrianglesAreFoundAtDistanceZero) {
   const auto triangles = soup(2000, 7, 0.05, {0, 0, 0}, {1, 1, 1});
-  std::vector<Point> corners;
+  std::vector<Vec3> corners;
   for (const Triangle& t : triangles) corners.push_back(t[2]);
   expect_as_brute_force(triangles, corners);
 }
@@ -163,7 +163,7 @@ TEST(TriangleTree, TrianglesWithoutArea) {
 }
 
 TEST(TriangleTree, FarFromTheOriginAndSmall) {
-  const Point low{1e7, -1e7, 3e6}, high{1e7 + 1e-2, -1e7 + 1e-2, 3e6 + 1e-2};
+  const Vec3 low{1e7, -1e7, 3e6}, high{1e7 + 1e-2, -1e7 + 1e-2, 3e6 + 1e-2};
   expect_as_brute_force(soup(1000, 14, 1e-3, low, high), points(200, 15, low, high));
 }
 
@@ -192,7 +192,7 @@ TEST(TriangleTree, NearestOfChosenPoints) {
   // Of every third triangle its first corner counts, of the others nothing.
   const auto triangles = soup(900, 22, 0.2, {0, 0, 0}, {1, 1, 1});
   const TriangleTree tree(triangles);
-  for (const Point& p : points(100, 23, {-1, -1, -1}, {2, 2, 2})) {
+  for (const Vec3& p : points(100, 23, {-1, -1, -1}, {2, 2, 2})) {
     const auto choose = [&](Index f) -> std::optional<PointOnTriangle> {
       if (f % 3 != 0) return std::nullopt;
       const double d = distance(p, triangles[f][0]);
@@ -212,7 +212,7 @@ TEST(TriangleTree, NearestOfChosenPoints) {
 TEST(TriangleTree, ABoundChangesNoAnswerWithinIt) {
   const auto triangles = soup(900, 24, 0.2, {0, 0, 0}, {1, 1, 1});
   const TriangleTree tree(triangles);
-  for (const Point& p : points(100, 25, {-1, -1, -1}, {2, 2, 2})) {
+  for (const Vec3& p : points(100, 25, {-1, -1, -1}, {2, 2, 2})) {
     const auto choose = [&](Index f) -> std::optional<PointOnTriangle> {
       return f % 7 == 0 ? std::optional(closest_point(p, triangles[f])) : std::nullopt;
     };
@@ -231,7 +231,7 @@ TEST(TriangleTree, ABoundChangesNoAnswerWithinIt) {
 TEST(TriangleTree, HasSomethingWithinADistanceWheneverTheNearestOneIs) {
   const auto triangles = soup(900, 26, 0.2, {0, 0, 0}, {1, 1, 1});
   const TriangleTree tree(triangles);
-  for (const Point& p : points(100, 27, {-1, -1, -1}, {2, 2, 2})) {
+  for (const Vec3& p : points(100, 27, {-1, -1, -1}, {2, 2, 2})) {
     const double d = std::sqrt(tree.nearest(p)->squared_distance);
     EXPECT_TRUE(tree.has_within(p, 1.001 * d + 1e-9));
     if (d > 0) {
@@ -290,7 +290,7 @@ TEST(TriangleTree, AgreesWithBruteForceWhateverTheExtent) {
     for (const double distance : {1e2, 1e4, 1e6, 1e12})
       for (const double step : {1e2, 1e30}) {
         const auto all = with_far_ones(n, distance, step);
-        std::vector<Point> asked = points(20, 6, {-1, -1, -1}, {1, 1, 1});
+        std::vector<Vec3> asked = points(20, 6, {-1, -1, -1}, {1, 1, 1});
         for (const double d : {10.0, distance / 2, distance, 3 * distance})
           asked.push_back({d, d / 100, 0.3});
         expect_as_brute_force(all, asked);
@@ -299,20 +299,20 @@ TEST(TriangleTree, AgreesWithBruteForceWhateverTheExtent) {
 }
 
 /// CPU seconds of some queries, the best of three.
-double time_of(const TriangleTree& tree, const std::vector<Point>& asked) {
+double time_of(const TriangleTree& tree, const std::vector<Vec3>& asked) {
   double best = infinity;
   for (int k = 0; k < 3; ++k) {
     const std::clock_t begin = std::clock();
-    for (const Point& p : asked) EXPECT_TRUE(tree.nearest(p));
+    for (const Vec3& p : asked) EXPECT_TRUE(tree.nearest(p));
     best = std::min(best, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
   return best;
 }
 
 TEST(TriangleTree, ItsTimeDoesNotDependOnTheExtent) {
-  const std::vector<Point> near = points(2000, 8, {-1, -1, -1}, {1, 1, 1});
-  std::vector<Point> far = near;
-  for (Point& p : far) p[0] += 1e7;
+  const std::vector<Vec3> near = points(2000, 8, {-1, -1, -1}, {1, 1, 1});
+  std::vector<Vec3> far = near;
+  for (Vec3& p : far) p[0] += 1e7;
   const TriangleTree alone(soup(50'000, 5, 0.01, {-1, -1, -1}, {1, 1, 1}));
   const double normal = time_of(alone, near) + 1e-4;
   EXPECT_LT(time_of(alone, far), 20 * normal);

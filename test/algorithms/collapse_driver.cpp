@@ -9,9 +9,6 @@
 
 namespace multimesh::test {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 CollapseDriver::CollapseDriver(TexturedSurface& surface, const DecimateOptions& options)
     : options_(options),
       root_(surface.tree().mesh(NodeId::root)),
@@ -30,7 +27,7 @@ CollapseDriver::CollapseDriver(TexturedSurface& surface, const DecimateOptions& 
       return texcoords_[k]->interpolated(c);
     };
     texcoords_.push_back(
-        std::make_unique<VertexAttribute<Vec2d>>(surface.textures()[k], surface.texcoords(k), rule));
+        std::make_unique<VertexAttribute<Vec2>>(surface.textures()[k], surface.texcoords(k), rule));
     operations_.add(*texcoords_.back());
     invariants_.push_back(std::make_unique<SeamsStayOpen>(*texcoords_.back()));
     tests_.push_back(std::make_unique<decimation::TextureOrientation>(surface, reader_, k));

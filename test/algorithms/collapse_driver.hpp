@@ -8,7 +8,7 @@
 
 #include "multimesh/algorithms/decimation/collapse_cost.hpp"
 #include "multimesh/algorithms/decimation/placement_test.hpp"
-#include "multimesh/algorithms/surface_invariants.hpp"
+#include "multimesh/domains/surface_invariants.hpp"
 #include "multimesh/operations.hpp"
 
 namespace multimesh::test {
@@ -47,8 +47,8 @@ class CollapseDriver {
   decimation::CollapseCost cost_;
   decimation::PredictedStar star_;
   decimation::CollapsePlan plan_;
-  VertexAttribute<OpenMesh::Vec3d> positions_;
-  std::vector<std::unique_ptr<VertexAttribute<OpenMesh::Vec2d>>> texcoords_;
+  VertexAttribute<Vec3> positions_;
+  std::vector<std::unique_ptr<VertexAttribute<Vec2>>> texcoords_;
   std::vector<std::unique_ptr<decimation::PlacementTest>> tests_;
   std::vector<decimation::PlacementTest*> more_tests_;
   std::vector<std::unique_ptr<Invariant>> invariants_;

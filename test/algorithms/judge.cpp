@@ -12,8 +12,6 @@
 
 namespace multimesh::test {
 
-using OpenMesh::Vec2d;
-
 namespace {
 
 using Triangle = std::array<int, 3>;
@@ -104,7 +102,7 @@ std::vector<Triangle> by_texcoord(const TexturedTriangles& s, int& vertices) {
     Triangle corners{-1, -1, -1};
     for (std::size_t i = 0; i < 3; ++i) {
       if (t[i].texcoord < 0) continue;
-      const Vec2d& p = s.texcoords[static_cast<std::size_t>(t[i].texcoord)];
+      const Vec2& p = s.texcoords[static_cast<std::size_t>(t[i].texcoord)];
       const auto key = std::tuple(t[i].position, p[0], p[1]);
       corners[i] = number.emplace(key, static_cast<int>(number.size())).first->second;
     }
@@ -144,10 +142,10 @@ SeamFacts seam_facts(const TexturedTriangles& s, const std::vector<Triangle>& te
 }
 
 double doubled_area(const TexturedTriangles& s, std::size_t t) {
-  std::array<Vec2d, 3> p;
+  std::array<Vec2, 3> p;
   for (std::size_t i = 0; i < 3; ++i)
     p[i] = s.texcoords[static_cast<std::size_t>(s.triangles[t][i].texcoord)];
-  const Vec2d u = p[1] - p[0], v = p[2] - p[0];
+  const Vec2 u = p[1] - p[0], v = p[2] - p[0];
   return u[0] * v[1] - u[1] * v[0];
 }
 
@@ -202,9 +200,9 @@ std::size_t newly_flipped(const TexturedTriangles& in, const TexturedTriangles& 
                           const std::vector<Index>& source) {
   int vertices = 0;
   const std::vector<int> sign = right_signs(in, by_texcoord(in, vertices));
-  Vec2d low(HUGE_VAL, HUGE_VAL), high(-HUGE_VAL, -HUGE_VAL);
-  for (const Vec2d& p : in.texcoords) low.minimize(p), high.maximize(p);
-  const double zero = 1e-12 * (high - low).sqrnorm();
+  Vec2 low(HUGE_VAL, HUGE_VAL), high(-HUGE_VAL, -HUGE_VAL);
+  for (const Vec2& p : in.texcoords) low = min(low, p), high = max(high, p);
+  const double zero = 1e-12 * (high - low).squared_norm();
   std::size_t n = 0;
   for (std::size_t t = 0; t < out.triangles.size(); ++t) {
     if (out.triangles[t][0].texcoord < 0 || sign[source[t]] == 0) continue;

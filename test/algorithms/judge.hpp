@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include "multimesh/algorithms/textured_surface.hpp"
+#include "multimesh/domains/textured_surface.hpp"
 
 namespace multimesh::test {
 

@@ -7,9 +7,6 @@
 
 namespace multimesh::test {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 namespace {
 
 constexpr Index side = 20;  // squares of a planar grid
@@ -19,16 +16,16 @@ constexpr AffineMap shifted{{{{0.03, 0, 0, 2}, {0, 0.05, 0, 1}}}};
 constexpr AffineMap mirrored{{{{-0.03, 0.01, 0, 4}, {0, 0.05, 0, 1}}}};
 constexpr AffineMap point{{{{0, 0, 0, 3}, {0, 0, 0, 3}}}};
 
-std::size_t half(const Vec3d& p) {
+std::size_t half(const Vec3& p) {
   return p[0] < side / 2.0 ? 0 : 1;
 }
 
-Vec3d vec(const Point& p) {
+Vec3 vec(const Point& p) {
   return {p[0], p[1], p[2]};
 }
 
-Vec3d centroid(const TexturedTriangles& s, std::size_t t) {
-  Vec3d sum(0, 0, 0);
+Vec3 centroid(const TexturedTriangles& s, std::size_t t) {
+  Vec3 sum(0, 0, 0);
   for (const auto& c : s.triangles[t]) sum += s.positions[static_cast<std::size_t>(c.position)];
   return sum / 3.0;
 }
@@ -51,7 +48,7 @@ Shape moved(Shape shape, const F& f) {
   return shape;
 }
 
-std::size_t octant(const Vec3d& p) {
+std::size_t octant(const Vec3& p) {
   return (p[0] < 0 ? 1U : 0U) + (p[1] < 0 ? 2U : 0U) + (p[2] < 0 ? 4U : 0U);
 }
 
@@ -67,7 +64,7 @@ std::vector<AffineMap> octant_maps() {
 
 }  // namespace
 
-Vec2d AffineMap::operator()(const Vec3d& p) const {
+Vec2 AffineMap::operator()(const Vec3& p) const {
   const auto at = [&](const std::array<double, 4>& r) {
     return r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + r[3];
   };
@@ -95,12 +92,12 @@ void add_texture(TexturedTriangles& surface, const Unwrap& unwrap) {
 }
 
 MadeSurface with_charts(std::string name, const Shape& shape,
-                        const std::function<std::size_t(const Vec3d& centroid)>& chart,
+                        const std::function<std::size_t(const Vec3& centroid)>& chart,
                         std::vector<AffineMap> maps) {
   MadeSurface m{std::move(name), bare(shape), {}, std::move(maps)};
   for (std::size_t t = 0; t < m.input.triangles.size(); ++t) m.chart.push_back(chart(centroid(m.input, t)));
-  add_texture(m.input, [&](std::size_t t, const Vec3d& p) {
-    return m.chart[t] == no_texture ? Vec2d(0, 0) : m.maps[m.chart[t]](p);
+  add_texture(m.input, [&](std::size_t t, const Vec3& p) {
+    return m.chart[t] == no_texture ? Vec2(0, 0) : m.maps[m.chart[t]](p);
   });
   for (std::size_t t = 0; t < m.chart.size(); ++t)
     if (m.chart[t] == no_texture)
@@ -109,7 +106,7 @@ MadeSurface with_charts(std::string name, const Shape& shape,
 }
 
 MadeSurface one_chart() {
-  return with_charts("OneChart", grid(side, side), [](const Vec3d&) { return 0; }, {plain});
+  return with_charts("OneChart", grid(side, side), [](const Vec3&) { return 0; }, {plain});
 }
 MadeSurface two_charts() {
   return with_charts("TwoCharts", grid(side, side), half, {plain, shifted});
@@ -122,12 +119,12 @@ MadeSurface zero_area_chart() {
 }
 
 MadeSurface half_without() {
-  const auto chart = [](const Vec3d& p) { return half(p) == 0 ? 0 : no_texture; };
+  const auto chart = [](const Vec3& p) { return half(p) == 0 ? 0 : no_texture; };
   return with_charts("HalfWithoutTexture", grid(side, side), chart, {plain});
 }
 
 MadeSurface touching_charts() {
-  const auto quadrant = [](const Vec3d& p) {
+  const auto quadrant = [](const Vec3& p) {
     return (p[0] < side / 2.0) == (p[1] < side / 2.0) ? 0U : p[0] < p[1] ? 1U : 2U;
   };
   const AffineMap far{{{{0.03, 0, 0, 7}, {0, 0.05, 0, 3}}}};
@@ -140,8 +137,8 @@ MadeSurface slit() {
   const double middle = side / 2.0;
   std::vector<bool> right;
   for (std::size_t t = 0; t < m.chart.size(); ++t) right.push_back(centroid(m.input, t)[0] > middle);
-  add_texture(m.input, [&](std::size_t t, const Vec3d& p) {
-    return Vec2d(p[0] + (right[t] ? 0.3 * std::max(0.0, p[1] - middle) : 0), p[1]);
+  add_texture(m.input, [&](std::size_t t, const Vec3& p) {
+    return Vec2(p[0] + (right[t] ? 0.3 * std::max(0.0, p[1] - middle) : 0), p[1]);
   });
   return m;
 }
@@ -149,13 +146,13 @@ MadeSurface slit() {
 MadeSurface polar_annulus() {
   MadeSurface m{"PolarAnnulus", bare(annulus(48, 8)), {}, {}};
   m.chart.assign(m.input.triangles.size(), 0);
-  add_texture(m.input, [&](std::size_t t, const Vec3d& p) {
-    const Vec3d c = centroid(m.input, t);
+  add_texture(m.input, [&](std::size_t t, const Vec3& p) {
+    const Vec3 c = centroid(m.input, t);
     double turn = std::atan2(p[1], p[0]) / (2 * std::numbers::pi);
     const double around = std::atan2(c[1], c[0]) / (2 * std::numbers::pi);
     if (turn < around - 0.5) turn += 1;
     if (turn > around + 0.5) turn -= 1;
-    return Vec2d(turn, std::hypot(p[0], p[1]) / 4);
+    return Vec2(turn, std::hypot(p[0], p[1]) / 4);
   });
   return m;
 }
@@ -186,7 +183,7 @@ MadeSurface sphere_with_charts() {
   MadeSurface m = octahedron();
   m.name = "SphereWithCharts";
   m.maps.clear();
-  for (Vec3d& p : m.input.positions) p.normalize();
+  for (Vec3& p : m.input.positions) p = p.normalized();
   return m;
 }
 
@@ -196,25 +193,25 @@ MadeSurface book() {
   append(s, moved(page, [](const Point& p) { return Point{-p[0], p[1], 0}; }));
   append(s, moved(page, [](const Point& p) { return Point{0, p[1], p[0]}; }));
   const AffineMap upright{{{{0, 0.01, 0.04, 5}, {0, 0.03, -0.005, 2}}}};
-  const auto chart = [](const Vec3d& p) { return p[2] > 0 ? 2U : p[0] < 0 ? 1U : 0U; };
+  const auto chart = [](const Vec3& p) { return p[2] > 0 ? 2U : p[0] < 0 ? 1U : 0U; };
   return with_charts("Book", s, chart, {plain, shifted, upright});
 }
 
 MadeSurface pinched() {
   Shape s = grid(side / 2, side / 2);
   append(s, moved(s, [](const Point& p) { return Point{-p[0], -p[1], 0}; }));
-  return with_charts("Pinched", s, [](const Vec3d& p) { return p[0] < 0 ? 1U : 0U; }, {plain, shifted});
+  return with_charts("Pinched", s, [](const Vec3& p) { return p[0] < 0 ? 1U : 0U; }, {plain, shifted});
 }
 
 MadeSurface self_touching() {
   MadeSurface m{"SelfTouching", bare(grid(side, side)), {}, {}};
   m.chart.assign(m.input.triangles.size(), 0);
-  add_texture(m.input, [](std::size_t, const Vec3d& p) { return Vec2d(p[0], p[1]) / side; });
+  add_texture(m.input, [](std::size_t, const Vec3& p) { return Vec2(p[0], p[1]) / side; });
   const std::int32_t here = 7, there = 13;  // both on the boundary x = 0
   for (auto& t : m.input.triangles)
     for (auto& c : t)
       if (c.position == there) c.position = here;
-  m.input.positions[here] = Vec3d(0, side / 2.0, 1);
+  m.input.positions[here] = Vec3(0, side / 2.0, 1);
   return m;
 }
 

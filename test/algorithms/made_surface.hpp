@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "multimesh/algorithms/textured_surface.hpp"
+#include "multimesh/domains/textured_surface.hpp"
 #include "test/support/shapes.hpp"
 
 namespace multimesh::test {
@@ -15,7 +15,7 @@ namespace multimesh::test {
 /// Texture coordinates as an affine function of position: (u, v) = rows[0..1] . (x, y, z, 1).
 struct AffineMap {
   std::array<std::array<double, 4>, 2> rows;
-  OpenMesh::Vec2d operator()(const OpenMesh::Vec3d& p) const;
+  Vec2 operator()(const Vec3& p) const;
 };
 
 /// A surface made by code. Where `maps` is not empty, the texture coordinates of a triangle of chart c are
@@ -35,14 +35,14 @@ inline void PrintTo(const MadeSurface& s, std::ostream* out) {
 inline constexpr std::size_t no_texture = ~std::size_t{0};
 
 /// Texture coordinates by triangle and position; a chart per triangle.
-using Unwrap = std::function<OpenMesh::Vec2d(std::size_t triangle, const OpenMesh::Vec3d& position)>;
+using Unwrap = std::function<Vec2(std::size_t triangle, const Vec3& position)>;
 
 TexturedTriangles bare(const Shape& shape);
 /// One texture coordinate per corner: equal values must be found to be equal.
 void add_texture(TexturedTriangles& surface, const Unwrap& unwrap);
 /// Charts by the centroid of each triangle; maps[chart] unwraps it, no_texture leaves it bare.
 MadeSurface with_charts(std::string name, const Shape& shape,
-                        const std::function<std::size_t(const OpenMesh::Vec3d& centroid)>& chart,
+                        const std::function<std::size_t(const Vec3& centroid)>& chart,
                         std::vector<AffineMap> maps);
 
 MadeSurface one_chart();        ///< a planar grid

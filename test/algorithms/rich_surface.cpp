@@ -10,9 +10,6 @@
 
 namespace multimesh::test {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 const TexturedTriangles& spot() {
   static const TexturedTriangles surface = [] {
     const io::PolygonSoup soup = io::read_obj(MULTIMESH_EXAMPLE_DATA "/spot/spot.obj");
@@ -26,8 +23,8 @@ const TexturedTriangles& spot() {
   return surface;
 }
 
-Vec3d centroid(const TexturedTriangles& s, std::size_t t) {
-  Vec3d sum(0, 0, 0);
+Vec3 centroid(const TexturedTriangles& s, std::size_t t) {
+  Vec3 sum(0, 0, 0);
   for (const auto& c : s.triangles[t]) sum += s.positions[static_cast<std::size_t>(c.position)];
   return sum / 3.0;
 }
@@ -60,13 +57,13 @@ void jitter(TexturedTriangles& s, double by, unsigned seed) {
   };
   const double most = by * (corner(0) - corner(1)).norm();
   std::uniform_real_distribution<double> shift(-most, most);
-  for (Vec3d& p : s.positions)
+  for (Vec3& p : s.positions)
     for (int i = 0; i < 3; ++i) p[i] += shift(random);
 }
 
 TexturedTriangles waves(double high) {
   TexturedTriangles s = two_charts().input;
-  for (Vec3d& p : s.positions) p[2] = high * std::sin(p[0] * 0.5 + 0.1 * p[1]) * std::cos(p[1] * 0.4);
+  for (Vec3& p : s.positions) p[2] = high * std::sin(p[0] * 0.5 + 0.1 * p[1]) * std::cos(p[1] * 0.4);
   return s;
 }
 
@@ -102,7 +99,7 @@ namespace {
 
 /// The face of the cube that a triangle lies in: 2 axis + (1 if high).
 std::size_t face_of(const TexturedTriangles& s, std::size_t t, int n) {
-  const Vec3d c = centroid(s, t);
+  const Vec3 c = centroid(s, t);
   for (int axis = 0; axis < 3; ++axis)
     for (const int high : {0, 1})
       if (std::abs(c[axis] - high * n) < 1e-9) return static_cast<std::size_t>(2 * axis + high);
@@ -112,10 +109,10 @@ std::size_t face_of(const TexturedTriangles& s, std::size_t t, int n) {
 }  // namespace
 
 void unwrap_to_faces(TexturedTriangles& s, int n) {
-  add_texture(s, [&](std::size_t t, const Vec3d& p) {
+  add_texture(s, [&](std::size_t t, const Vec3& p) {
     const std::size_t face = face_of(s, t, n);
     const int axis = static_cast<int>(face) / 2;
-    return Vec2d(p[(axis + 1) % 3], p[(axis + 2) % 3]) / n + Vec2d(2.0 * static_cast<double>(face), 0);
+    return Vec2(p[(axis + 1) % 3], p[(axis + 2) % 3]) / n + Vec2(2.0 * static_cast<double>(face), 0);
   });
 }
 
@@ -128,21 +125,21 @@ void unwrap_to_faces(TexturedTriangles& s, int n) {
 //        | -y|
 //        +---+
 void unwrap_to_cross(TexturedTriangles& s, int n) {
-  add_texture(s, [&](std::size_t t, const Vec3d& p) {
+  add_texture(s, [&](std::size_t t, const Vec3& p) {
     const double x = p[0] / n, y = p[1] / n, z = p[2] / n;
     switch (face_of(s, t, n)) {
       case 0:
-        return Vec2d(z - 1, y);
+        return Vec2(z - 1, y);
       case 1:
-        return Vec2d(2 - z, y);
+        return Vec2(2 - z, y);
       case 2:
-        return Vec2d(x, z - 1);
+        return Vec2(x, z - 1);
       case 3:
-        return Vec2d(x, 2 - z);
+        return Vec2(x, 2 - z);
       case 4:
-        return Vec2d(3 - x, y);
+        return Vec2(3 - x, y);
       default:
-        return Vec2d(x, y);
+        return Vec2(x, y);
     }
   });
 }

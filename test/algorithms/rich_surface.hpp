@@ -11,7 +11,7 @@ namespace multimesh::test {
 const TexturedTriangles& spot();
 
 /// The centroid of a triangle.
-OpenMesh::Vec3d centroid(const TexturedTriangles& surface, std::size_t triangle);
+Vec3 centroid(const TexturedTriangles& surface, std::size_t triangle);
 
 /// Adds a set of texture coordinates, one per corner; triangles of which `has` is false stay without.
 void add_uv_set(

@@ -19,8 +19,6 @@ using decimation::CollapsePlan;
 using decimation::Rank;
 using decimation::Strata;
 using decimation::TriangleReader;
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
 
 struct Case {
   std::string name;
@@ -34,8 +32,8 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 /// Two textures whose seams cross.
 TexturedTriangles two_sets(TexturedTriangles s) {
-  add_uv_set(s, [&](std::size_t t, const Vec3d& p) {
-    return Vec2d(0.3 * p[0] + (centroid(s, t)[1] < 10 ? 0 : 20), 0.2 * p[1] + 0.05 * p[2]);
+  add_uv_set(s, [&](std::size_t t, const Vec3& p) {
+    return Vec2(0.3 * p[0] + (centroid(s, t)[1] < 10 ? 0 : 20), 0.2 * p[1] + 0.05 * p[2]);
   });
   return s;
 }
@@ -43,7 +41,7 @@ TexturedTriangles two_sets(TexturedTriangles s) {
 /// Half of it has no second texture.
 TexturedTriangles half_of_a_set(TexturedTriangles s) {
   add_uv_set(
-      s, [](std::size_t, const Vec3d& p) { return Vec2d(p[0] + 0.1 * p[2], p[1]); },
+      s, [](std::size_t, const Vec3& p) { return Vec2(p[0] + 0.1 * p[2], p[1]); },
       [&](std::size_t t) { return centroid(s, t)[1] < 10; });
   return s;
 }
@@ -62,9 +60,9 @@ TexturedTriangles sliver(double height) {
     for (auto& t : s.triangles)
       for (auto& c : t)
         if (c.position == v) return s.texcoords[static_cast<std::size_t>(c.texcoord)];
-    return Vec2d(0, 0);
+    return Vec2(0, 0);
   };
-  const Vec2d place = (uv(left) + uv(right)) * 0.5 * (1 - height) + uv(at) * height;
+  const Vec2 place = (uv(left) + uv(right)) * 0.5 * (1 - height) + uv(at) * height;
   for (auto& t : s.triangles)
     for (auto& c : t)
       if (c.position == at) s.texcoords[static_cast<std::size_t>(c.texcoord)] = place;
@@ -246,8 +244,8 @@ class Definition {
       root_.star(end, 0, star);
       for (const Dart d : star) sum += of_triangle(d, plan, at_a);
     }
-    const Vec3d edge = surface_.positions()[plan.a] - surface_.positions()[plan.b];
-    return sum + 1e-8 * trace_ * edge.sqrnorm();
+    const Vec3 edge = surface_.positions()[plan.a] - surface_.positions()[plan.b];
+    return sum + 1e-8 * trace_ * edge.squared_norm();
   }
   /// Of the forms in position at both ends.
   double trace() const { return trace_; }
@@ -255,7 +253,7 @@ class Definition {
  private:
   struct Copy {
     std::array<Index, 4> v{};
-    Vec3d du, dv;
+    Vec3 du, dv;
     Dart dart;
   };
 
@@ -264,10 +262,10 @@ class Definition {
     std::array<Index, 4> v{};
     root_.vertices(d, v.data());
     const auto& p = surface_.positions();
-    const Vec3d e = p[v[1]] - p[v[0]], f = p[v[2]] - p[v[0]];
+    const Vec3 e = p[v[1]] - p[v[0]], f = p[v[2]] - p[v[0]];
     const double area = cross(e, f).norm() / 2;
     if (area == 0) return 0;
-    const Vec3d normal = cross(e, f) / (2 * area), x = plan.position - p[v[0]];
+    const Vec3 normal = cross(e, f) / (2 * area), x = plan.position - p[v[0]];
     const double distance = dot(normal, x);
     double sum = area / 3 * distance * distance;
     trace_ += area / 3;
@@ -280,29 +278,29 @@ class Definition {
       std::array<Index, 4> c{};
       texture.vertices(copy, c.data());
       const auto& uv = surface_.texcoords(k);
-      const Vec2d r = uv[c[1]] - uv[c[0]], s = uv[c[2]] - uv[c[0]];
+      const Vec2 r = uv[c[1]] - uv[c[0]], s = uv[c[2]] - uv[c[0]];
       const double determinant = r[0] * s[1] - r[1] * s[0];
       if (std::abs(determinant) < 1e-13) continue;
-      Vec2d y(0, 0);
+      Vec2 y(0, 0);
       for (const auto& moved : plan.copies())
         if (moved.set == k && (at_a ? moved.a : moved.b) == c[0]) y = moved.texcoord - uv[c[0]];
       // y = alpha r + beta s is the content of the point alpha e + beta f.
       const double alpha = (y[0] * s[1] - y[1] * s[0]) / determinant;
       const double beta = (r[0] * y[1] - r[1] * y[0]) / determinant;
-      const Vec3d content = e * alpha + f * beta;
-      sum += options_.uv_weight * area / 3 * (x - normal * distance - content).sqrnorm();
+      const Vec3 content = e * alpha + f * beta;
+      sum += options_.uv_weight * area / 3 * (x - normal * distance - content).squared_norm();
       trace_ += options_.uv_weight * area / 3 * 2;
       for (const Dart side : {copy, texture.switch_dart(copy, 1)}) {
         if (!texture.is_boundary(side, 1)) continue;
-        const Vec3d along = side == copy ? e : f;
-        const double off = cross(normal, along).normalize() | content;
-        sum += options_.uv_weight * options_.uv_curve_weight * along.sqrnorm() * off * off;
+        const Vec3 along = side == copy ? e : f;
+        const double off = dot(cross(normal, along).normalized(), content);
+        sum += options_.uv_weight * options_.uv_curve_weight * along.squared_norm() * off * off;
       }
     }
     return sum;
   }
 
-  double of_curve(Dart side, const Vec3d& normal, const Vec3d& x) {
+  double of_curve(Dart side, const Vec3& normal, const Vec3& x) {
     CurveKinds seams = no_curve;
     for (std::size_t k = 0; k < surface_.textures().size(); ++k) seams |= seam_of(k);
     const CurveKinds kinds = surface_.curve_kinds(side);
@@ -310,10 +308,10 @@ class Definition {
     if (!boundary && kinds == no_curve) return 0;
     const double weight = boundary || (kinds & ~seams) != 0 ? options_.curve_weight : options_.seam_weight;
     const auto& p = surface_.positions();
-    const Vec3d along = p[root_.vertex(side)] - p[root_.vertex(root_.reorder(side, exchange_ends))];
-    const double off = cross(normal, along).normalize() | x;
-    trace_ += weight * along.sqrnorm();
-    return weight * along.sqrnorm() * off * off;
+    const Vec3 along = p[root_.vertex(side)] - p[root_.vertex(root_.reorder(side, exchange_ends))];
+    const double off = dot(cross(normal, along).normalized(), x);
+    trace_ += weight * along.squared_norm();
+    return weight * along.squared_norm() * off * off;
   }
 
   const TexturedSurface& surface_;
@@ -359,7 +357,7 @@ class Least : public CostOf {
       ASSERT_NEAR(on_edge.cost, there, 1e-5 * there + 1e-12 * unit) << t;
     }
     std::uniform_real_distribution<double> size(-1, 1);
-    const Vec3d middle = (surface.positions()[plan.a] + surface.positions()[plan.b]) * 0.5;
+    const Vec3 middle = (surface.positions()[plan.a] + surface.positions()[plan.b]) * 0.5;
     for (int i = 0; i < 12; ++i) {
       const double much = std::pow(10.0, -i % 4);
       CollapsePlan other = plan;
@@ -368,10 +366,10 @@ class Least : public CostOf {
       for (auto& c : other.copies()) {
         const auto& uv = surface.texcoords(c.set);
         const double scale = (uv[c.a] - uv[c.b]).norm();
-        if (i % 3 != 0) c.texcoord += Vec2d(size(random), size(random)) * (much * scale);
+        if (i % 3 != 0) c.texcoord += Vec2(size(random), size(random)) * (much * scale);
       }
       // The best place is that of the deviation and a small pull to the middle.
-      const double pull = 1e-8 * definition.trace() * (other.position - middle).sqrnorm();
+      const double pull = 1e-8 * definition.trace() * (other.position - middle).squared_norm();
       if (plan.cost > definition.deviation(e, other) + pull + 1e-5 * here + 1e-12 * unit) {
         ++not_least;
         break;

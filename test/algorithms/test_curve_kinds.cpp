@@ -73,7 +73,7 @@ TEST(SharpEdges, OnSeamsHaveBothKinds) {
 
 TEST(SharpEdges, ThatEndOnASeamDoNotDivideItInTheReport) {
   // A roof whose ridge at x = 10 crosses a seam at y = 10.
-  MadeSurface made = with_charts("Roof", grid(20, 20), [](const OpenMesh::Vec3d& p) { return p[1] < 10; },
+  MadeSurface made = with_charts("Roof", grid(20, 20), [](const Vec3& p) { return p[1] < 10; },
                                  {{{{{1, 0, 0, 0}, {0, 1, 0, 0}}}}, {{{{1, 0, 0, 50}, {0, 1, 0, 0}}}}});
   for (auto& p : made.input.positions) p[2] = -std::abs(p[0] - 10);
   const TexturedSurface surface(made.input, sharp_from(60));

@@ -14,7 +14,7 @@ namespace {
 
 using Corners = std::array<std::int32_t, 3>;
 
-TexturedTriangles triangles(std::vector<OpenMesh::Vec3d> positions, const std::vector<Corners>& list) {
+TexturedTriangles triangles(std::vector<Vec3> positions, const std::vector<Corners>& list) {
   TexturedTriangles s;
   s.positions = std::move(positions);
   for (const Corners& t : list) s.triangles.push_back({{{t[0], -1}, {t[1], -1}, {t[2], -1}}});
@@ -80,7 +80,7 @@ TEST(CutReport, HalfOfAGridReversed) {
 
 TEST(CutReport, AMobiusStripIsCutOpenAndJoinedAgain) {
   // Five triangles around: i, i+1, i+2 modulo 5.
-  std::vector<OpenMesh::Vec3d> p;
+  std::vector<Vec3> p;
   for (int i = 0; i < 5; ++i) p.push_back({std::cos(1.26 * i), std::sin(1.26 * i), 0.1 * i});
   const TexturedTriangles in = triangles(p, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 0}, {4, 0, 1}});
   const TexturedSurface surface(in);

@@ -18,9 +18,6 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 constexpr double degrees = std::numbers::pi / 180;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -45,14 +42,14 @@ Left decimated(const TexturedTriangles& input, const DecimateOptions& options) {
   return left;
 }
 
-const Vec3d& position(const TexturedTriangles& s, std::size_t t, std::size_t i) {
+const Vec3& position(const TexturedTriangles& s, std::size_t t, std::size_t i) {
   return s.positions[static_cast<std::size_t>(s.triangles[t][i].position)];
 }
-Vec3d area_vector(const TexturedTriangles& s, std::size_t t) {
-  const Vec3d& p = position(s, t, 0);
+Vec3 area_vector(const TexturedTriangles& s, std::size_t t) {
+  const Vec3& p = position(s, t, 0);
   return cross(position(s, t, 1) - p, position(s, t, 2) - p);
 }
-double angle(const Vec3d& m, const Vec3d& n) {
+double angle(const Vec3& m, const Vec3& n) {
   return std::atan2(cross(m, n).norm(), dot(m, n));
 }
 
@@ -124,7 +121,7 @@ TEST(NormalDeviation, HoldsForAllTrianglesThatWereMergedIntoOne) {
     };
     std::mt19937 random(3);
     EXPECT_GT(driver.collapse_some(700, random), 100U);
-    std::vector<Vec3d> normals;
+    std::vector<Vec3> normals;
     for (std::size_t t = 0; t < start.triangles.size(); ++t) normals.push_back(area_vector(start, t));
     const TexturedTriangles left = surface.triangles(source);
     double most = 0;
@@ -171,7 +168,7 @@ TEST(AspectRatio, IsKeptBelowTheLimit) {
 
 TEST(AspectRatio, OfASurfaceThatIsWorseGetsNoWorse) {
   TexturedTriangles in = waves(1);
-  for (Vec3d& p : in.positions) p[0] *= 10;
+  for (Vec3& p : in.positions) p[0] *= 10;
   DecimateOptions options = to_faces(100);
   options.max_aspect_ratio = 5;
   const double had = worst_aspect_ratio(in);
@@ -285,8 +282,8 @@ TEST(DecimateOptions, OutOfRangeAreRefusedWithTheirName) {
 TEST(Weights, OfTheTextureZeroIgnoresWhereTextureCoordinatesAre) {
   const TexturedTriangles in = waves();
   TexturedTriangles other = in;
-  for (Vec2d& p : other.texcoords)
-    p = Vec2d(p[0] + 0.02 * std::sin(5 * p[1]), 1.5 * p[1] + 0.02 * std::sin(7 * p[0]));
+  for (Vec2& p : other.texcoords)
+    p = Vec2(p[0] + 0.02 * std::sin(5 * p[1]), 1.5 * p[1] + 0.02 * std::sin(7 * p[0]));
   DecimateOptions options = to_faces(150);
   options.uv_weight = 0;
   const Left x = decimated(in, options), y = decimated(other, options);
@@ -300,8 +297,8 @@ TEST(Weights, OfTheTextureZeroIgnoresWhereTextureCoordinatesAre) {
 TEST(Weights, OfTheTextureOneHasLessTextureDeviationThanZero) {
   // The texture is a projection along z, so that the deviation is that of (u, v) from (x, y).
   TexturedTriangles in = bare(grid(30, 30));
-  for (Vec3d& p : in.positions) p[2] = 2 * std::sin(p[0] * 0.6) * std::cos(p[1] * 0.5);
-  add_texture(in, [](std::size_t, const Vec3d& p) { return Vec2d(p[0], p[1]); });
+  for (Vec3& p : in.positions) p[2] = 2 * std::sin(p[0] * 0.6) * std::cos(p[1] * 0.5);
+  add_texture(in, [](std::size_t, const Vec3& p) { return Vec2(p[0], p[1]); });
   const auto deviation = [&](double weight) {
     DecimateOptions options = to_faces(in.triangles.size() / 10);
     options.uv_weight = weight;
@@ -309,8 +306,9 @@ TEST(Weights, OfTheTextureOneHasLessTextureDeviationThanZero) {
     double sum = 0;
     for (const auto& t : left.surface.triangles)
       for (const auto& c : t) {
-        const Vec3d& p = left.surface.positions[static_cast<std::size_t>(c.position)];
-        sum += (left.surface.texcoords[static_cast<std::size_t>(c.texcoord)] - Vec2d(p[0], p[1])).sqrnorm();
+        const Vec3& p = left.surface.positions[static_cast<std::size_t>(c.position)];
+        sum +=
+            (left.surface.texcoords[static_cast<std::size_t>(c.texcoord)] - Vec2(p[0], p[1])).squared_norm();
       }
     return std::sqrt(sum);
   };
@@ -329,8 +327,8 @@ TEST(Weights, ThatAreExtremeLeaveAValidResult) {
         EXPECT_EQ(facts(left.surface), facts(in));
         EXPECT_EQ(newly_flipped(in, left.surface, left.source), 0U);
         EXPECT_TRUE(std::isfinite(left.result.max_cost));
-        for (const Vec3d& p : left.surface.positions) ASSERT_LT(p.norm(), 60);
-        for (const Vec2d& p : left.surface.texcoords) ASSERT_LT(p.norm(), 60);
+        for (const Vec3& p : left.surface.positions) ASSERT_LT(p.norm(), 60);
+        for (const Vec2& p : left.surface.texcoords) ASSERT_LT(p.norm(), 60);
       }
 }
 

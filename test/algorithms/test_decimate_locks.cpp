@@ -18,9 +18,6 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 /// One side of an edge, by values: two positions, two texture coordinates (0 0 where there are none), the one
 /// of the lower end first.
 using Side = std::array<double, 10>;
@@ -29,9 +26,9 @@ Side side_of(const TexturedTriangles& s, std::size_t t, std::size_t i, bool with
   std::array<std::array<double, 5>, 2> ends{};
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& c = s.triangles[t][(i + k) % 3];
-    const Vec3d& p = s.positions[static_cast<std::size_t>(c.position)];
+    const Vec3& p = s.positions[static_cast<std::size_t>(c.position)];
     const bool has = with_texture && c.texcoord >= 0;
-    const Vec2d uv = has ? s.texcoords[static_cast<std::size_t>(c.texcoord)] : Vec2d(0, 0);
+    const Vec2 uv = has ? s.texcoords[static_cast<std::size_t>(c.texcoord)] : Vec2(0, 0);
     ends[k] = {p[0], p[1], p[2], uv[0], uv[1]};
   }
   std::sort(ends.begin(), ends.end());
@@ -139,7 +136,7 @@ TEST(Locks, AreTakenAwayWhenARunIsAbandoned) {
 TEST(Locks, OfTheCallerStay) {
   TexturedSurface surface(one_chart().input);
   const Index middle = 10 * 21 + 10, corner = 0;
-  const Vec3d place = surface.positions()[middle];
+  const Vec3 place = surface.positions()[middle];
   surface.set_locked(middle, true);
   surface.set_locked(corner, true);
   DecimateOptions options = to_faces(1);
@@ -154,8 +151,8 @@ TEST(Locks, OfTheCallerStay) {
 
 TEST(Locks, SeamsOfEachSetStay) {
   TexturedTriangles in = waves();
-  add_uv_set(in, [&](std::size_t t, const Vec3d& p) {
-    return Vec2d(p[0] + (centroid(in, t)[1] < 10 ? 0 : 100), p[1]);
+  add_uv_set(in, [&](std::size_t t, const Vec3& p) {
+    return Vec2(p[0] + (centroid(in, t)[1] < 10 ? 0 : 100), p[1]);
   });
   TexturedSurface surface(in);
   const TexturedTriangles before = left_of(surface);
@@ -215,7 +212,7 @@ class Cube : public ::testing::TestWithParam<std::tuple<Texture, double, Decimat
 };
 
 /// In how many of its coordinates a point lies on the cube's surface: 1 in faces, 2 on edges, 3 at corners.
-int sides_at(const Vec3d& p, int n, double tolerance) {
+int sides_at(const Vec3& p, int n, double tolerance) {
   int count = 0;
   for (int i = 0; i < 3; ++i) count += std::abs(p[i]) <= tolerance || std::abs(p[i] - n) <= tolerance;
   return count;
@@ -252,8 +249,8 @@ TEST_P(Cube, KeepsItsEdgesAsCurvesAndItsCornersExactly) {
     if (!root.is_live(1, e)) continue;
     const Dart d = root.dart_of(1, e);
     if (!(surface.curve_kinds(d) & sharp_curve)) continue;
-    const Vec3d& p = surface.positions()[root.vertex(d)];
-    const Vec3d& q = surface.positions()[root.vertex(root.switch_dart(d, 0))];
+    const Vec3& p = surface.positions()[root.vertex(d)];
+    const Vec3& q = surface.positions()[root.vertex(root.switch_dart(d, 0))];
     EXPECT_GE(sides_at(p, n, 1e-6), 2);
     EXPECT_GE(sides_at((p + q) * 0.5, n, 1e-6), 2) << "curves run along the cube's edges";
   }

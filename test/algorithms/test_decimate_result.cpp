@@ -7,10 +7,10 @@
 #include <limits>
 #include <numeric>
 
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
-#include "multimesh/closest_point.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
+#include "multimesh/geometry/closest_point.hpp"
 #include "multimesh/validate.hpp"
 #include "test/algorithms/judge.hpp"
 #include "test/algorithms/made_surface.hpp"
@@ -70,7 +70,7 @@ TEST(DecimateOptions, AsManyFacesAsThereAreChangesNothing) {
 
 /// Of the vertices of `from`, the largest distance to the triangles of `to`, relative to the diagonal.
 double farthest_vertex(const TexturedTriangles& from, const TexturedTriangles& to) {
-  const auto point = [](const OpenMesh::Vec3d& p) { return spatial::Point{p[0], p[1], p[2]}; };
+  const auto point = [](const Vec3& p) { return Vec3{p[0], p[1], p[2]}; };
   double farthest = 0;
   for (const auto& v : from.positions) {
     double nearest = infinity;

@@ -5,15 +5,12 @@
 
 #include <cmath>
 
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/decimate.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 #include "test/algorithms/rich_surface.hpp"
 
 namespace multimesh::test {
 namespace {
-
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
 
 struct Left {
   TexturedTriangles surface;
@@ -33,8 +30,8 @@ Left decimated(const TexturedTriangles& input, double ratio, const DecimateOptio
 
 template <class F, class G>
 TexturedTriangles mapped(TexturedTriangles s, const F& in_space, const G& in_texture) {
-  for (Vec3d& p : s.positions) p = in_space(p);
-  for (Vec2d& p : s.texcoords) p = in_texture(p);
+  for (Vec3& p : s.positions) p = in_space(p);
+  for (Vec2& p : s.texcoords) p = in_texture(p);
   return s;
 }
 
@@ -44,8 +41,8 @@ class DecimateScale : public ::testing::TestWithParam<MadeSurface> {
 
   void expect_no_bit_changed(double scale) const {
     SCOPED_TRACE(scale);
-    const auto in_space = [scale](const Vec3d& p) { return Vec3d(-p[0], -p[1], p[2]) * scale; };
-    const auto in_texture = [](const Vec2d& p) { return Vec2d(-p[0], -p[1]) / 128.0; };
+    const auto in_space = [scale](const Vec3& p) { return Vec3(-p[0], -p[1], p[2]) * scale; };
+    const auto in_texture = [](const Vec2& p) { return Vec2(-p[0], -p[1]) / 128.0; };
     DecimateOptions bounded;
     bounded.max_normal_deviation = 0.5;
     bounded.max_aspect_ratio = 15;
@@ -76,9 +73,9 @@ TEST_P(DecimateScale, PowersOfTwoChangeNoBit) {
 }
 
 TEST_P(DecimateScale, PowersOfTwoOfTheTextureChangeNoCollapse) {
-  const auto same = [](const Vec3d& p) { return p; };
+  const auto same = [](const Vec3& p) { return p; };
   for (const double scale : {0x1p-100, 0x1p100}) {
-    const auto in_texture = [scale](const Vec2d& p) { return p * scale; };
+    const auto in_texture = [scale](const Vec2& p) { return p * scale; };
     const Left plain = decimated(input(), 0.1), scaled = decimated(mapped(input(), same, in_texture), 0.1);
     EXPECT_EQ(scaled.source, plain.source) << scale;
   }
@@ -88,17 +85,17 @@ INSTANTIATE_TEST_SUITE_P(Made, DecimateScale, ::testing::ValuesIn(surfaces()),
                          [](const auto& p) { return p.param.name; });
 
 /// A turn about (1, 2, 2) / 3 by 50 degrees.
-Vec3d turned(const Vec3d& p) {
-  const Vec3d axis(1 / 3.0, 2 / 3.0, 2 / 3.0);
+Vec3 turned(const Vec3& p) {
+  const Vec3 axis(1 / 3.0, 2 / 3.0, 2 / 3.0);
   const double c = std::cos(0.8727), s = std::sin(0.8727);
   return p * c + cross(axis, p) * s + axis * (dot(axis, p) * (1 - c));
 }
 
 // Roundings differ here, and would decide between edges of equal cost: there are none on jittered surfaces.
 TEST(DecimateScale, ASimilarityOfSpaceAndOneOfTheTextureChangeNoCollapse) {
-  const auto in_space = [](const Vec3d& p) { return turned(p) * 1000.0 + Vec3d(300, -2000, 50); };
-  const auto in_texture = [](const Vec2d& p) {
-    return Vec2d(0.6 * p[0] - 0.8 * p[1], 0.8 * p[0] + 0.6 * p[1]) * 0.01 + Vec2d(0.3, -0.1);
+  const auto in_space = [](const Vec3& p) { return turned(p) * 1000.0 + Vec3(300, -2000, 50); };
+  const auto in_texture = [](const Vec2& p) {
+    return Vec2(0.6 * p[0] - 0.8 * p[1], 0.8 * p[0] + 0.6 * p[1]) * 0.01 + Vec2(0.3, -0.1);
   };
   for (MadeSurface made : {sphere_with_charts(), slit(), polar_annulus(), half_without()}) {
     jitter(made.input, 0.1, 3);
@@ -124,9 +121,9 @@ TEST(DecimateScale, ASimilarityOfSpaceAndOneOfTheTextureChangeNoCollapse) {
 
 // An affine map of the texture is no similarity; what is measured in space does not see it.
 TEST(DecimateScale, AnAffineMapOfTheTextureChangesNoCollapse) {
-  const auto in_space = [](const Vec3d& p) { return p; };
-  const auto in_texture = [](const Vec2d& p) {
-    return Vec2d(3 * p[0] + 0.5 * p[1] + 7, 0.2 * p[0] + 0.1 * p[1] - 2);
+  const auto in_space = [](const Vec3& p) { return p; };
+  const auto in_texture = [](const Vec2& p) {
+    return Vec2(3 * p[0] + 0.5 * p[1] + 7, 0.2 * p[0] + 0.1 * p[1] - 2);
   };
   for (MadeSurface made : {sphere_with_charts(), slit(), half_without()}) {
     jitter(made.input, 0.1, 3);

@@ -53,8 +53,7 @@ TEST(DecimateSpot, AFarChartDoesNotHideFlipsOfTheOthers) {
   TexturedTriangles in = spot();
   const auto v = static_cast<std::int32_t>(in.positions.size());
   const auto vt = static_cast<std::int32_t>(in.texcoords.size());
-  for (const OpenMesh::Vec2d& p :
-       {OpenMesh::Vec2d(5e5, 0), OpenMesh::Vec2d(6e5, 0), OpenMesh::Vec2d(5e5, 1e5)}) {
+  for (const Vec2& p : {Vec2(5e5, 0), Vec2(6e5, 0), Vec2(5e5, 1e5)}) {
     in.positions.push_back({3 + 1e-6 * p[0], 1e-6 * p[1], 0});
     in.texcoords.push_back(p);
   }

@@ -16,9 +16,6 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 /// How many runs: MULTIMESH_DECIMATE_RUNS, for long ones by hand; MULTIMESH_DECIMATE_SEED is the first seed.
 unsigned given(const char* name, unsigned fallback) {
   const char* value = std::getenv(name);
@@ -68,8 +65,8 @@ class Trial {
       what_ << " jittered " << by;
     }
     if (chance(0.3)) {
-      const Vec3d axis(number(-1, 1), number(-1, 1), number(-1, 1));
-      for (Vec3d& p : input.positions) p += Vec3d(0, 0, 1) * (2 * std::sin(dot(p, axis)));
+      const Vec3 axis(number(-1, 1), number(-1, 1), number(-1, 1));
+      for (Vec3& p : input.positions) p += Vec3(0, 0, 1) * (2 * std::sin(dot(p, axis)));
       what_ << " waved";
     }
   }
@@ -77,19 +74,19 @@ class Trial {
   /// A grid with a random map of charts: blobs with junctions, ends on the boundary, islands, bare parts.
   void make_patches() {
     const auto side = static_cast<Index>(8 + below(14));
-    std::vector<std::pair<Vec3d, std::size_t>> centres;
+    std::vector<std::pair<Vec3, std::size_t>> centres;
     std::vector<AffineMap> maps;
     const std::size_t n = 2 + below(7);
     for (std::size_t i = 0; i < n; ++i) {
-      centres.push_back({Vec3d(number(0, side), number(0, side), 0), chance(0.1) ? no_texture : i});
+      centres.push_back({Vec3(number(0, side), number(0, side), 0), chance(0.1) ? no_texture : i});
       const double turn = number(0, 6.28), mirror = chance(0.3) ? -1 : 1;
       maps.push_back({{{{mirror * std::cos(turn), -mirror * std::sin(turn), 0.1, 100.0 * double(i)},
                         {std::sin(turn), std::cos(turn), 0, number(-3, 3)}}}});
     }
-    const auto chart = [&](const Vec3d& p) {
+    const auto chart = [&](const Vec3& p) {
       std::size_t best = 0;
       for (std::size_t i = 1; i < n; ++i)
-        if ((centres[i].first - p).sqrnorm() < (centres[best].first - p).sqrnorm()) best = i;
+        if ((centres[i].first - p).squared_norm() < (centres[best].first - p).squared_norm()) best = i;
       return centres[best].second;
     };
     input = with_charts("Patches", grid(side, side), chart, maps).input;
@@ -98,19 +95,19 @@ class Trial {
 
   void make_sets() {
     while (input.more_uv_sets.size() < 2 && chance(0.25)) {
-      const Vec3d cut(number(-1, 1), number(-1, 1), number(-1, 1));
+      const Vec3 cut(number(-1, 1), number(-1, 1), number(-1, 1));
       const double at = number(-0.5, 8), some = number(-1, 12);
       const bool part = chance(0.3);
       // Random texture coordinates may be flipped from the start; that must not matter.
-      const Vec3d u(number(-1, 1), number(-1, 1), number(-1, 1)),
+      const Vec3 u(number(-1, 1), number(-1, 1), number(-1, 1)),
           v(number(-1, 1), number(-1, 1), number(-1, 1));
       bool any = false;
       for (std::size_t t = 0; t < input.triangles.size(); ++t) any |= !part || centroid(input, t)[0] < some;
       if (!any) continue;
       add_uv_set(
           input,
-          [&](std::size_t t, const Vec3d& p) {
-            return Vec2d(dot(u, p) + (dot(cut, centroid(input, t)) < at ? 0 : 50), dot(v, p));
+          [&](std::size_t t, const Vec3& p) {
+            return Vec2(dot(u, p) + (dot(cut, centroid(input, t)) < at ? 0 : 50), dot(v, p));
           },
           [&](std::size_t t) { return !part || centroid(input, t)[0] < some; });
       what_ << (part ? ", part of a set" : ", another set");
@@ -123,7 +120,7 @@ class Trial {
   }
 
   void make_labels() {
-    const Vec3d cut(number(-1, 1), number(-1, 1), number(-1, 1));
+    const Vec3 cut(number(-1, 1), number(-1, 1), number(-1, 1));
     for (std::size_t t = 0; t < input.triangles.size(); ++t)
       input.labels.push_back(dot(cut, centroid(input, t)) < 1 ? 3 : 4);
     surface_options.keep_label_borders = chance(0.8);
@@ -159,14 +156,14 @@ void expect_valid(const Trial& trial, TexturedSurface& surface, const TexturedTr
   ASSERT_EQ(validate(surface.tree()), std::vector<std::string>());
   std::vector<Index> source;
   const TexturedTriangles after = surface.triangles(source);
-  for (const Vec3d& p : after.positions) ASSERT_TRUE(std::isfinite(p.norm()));
+  for (const Vec3& p : after.positions) ASSERT_TRUE(std::isfinite(p.norm()));
   for (std::size_t set = 0; set < surface.textures().size(); ++set) {
     const TexturedTriangles x = only_uv_set(before, set), y = only_uv_set(after, set);
     ASSERT_EQ(facts(y), facts(x)) << "set " << set;
     ASSERT_EQ(newly_flipped(only_uv_set(trial.input, set), y, source), 0U) << "set " << set;
-    for (const Vec2d& p : y.texcoords) ASSERT_TRUE(std::isfinite(p.norm()));
+    for (const Vec2& p : y.texcoords) ASSERT_TRUE(std::isfinite(p.norm()));
   }
-  for (const Vec3d& c : after.colors)
+  for (const Vec3& c : after.colors)
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(c[i] >= 0 && c[i] <= 1);
 }
 

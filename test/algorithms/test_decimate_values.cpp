@@ -9,8 +9,8 @@
 #include <set>
 
 #include "multimesh/algorithms/decimate.hpp"
-#include "multimesh/algorithms/shading.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/domains/shading.hpp"
 #include "multimesh/validate.hpp"
 #include "test/algorithms/decimate_cost_name.hpp"
 #include "test/algorithms/judge.hpp"
@@ -18,9 +18,6 @@
 
 namespace multimesh::test {
 namespace {
-
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
 
 DecimateOptions to_ratio(const TexturedTriangles& s, double ratio) {
   DecimateOptions o;
@@ -39,12 +36,12 @@ void PrintTo(const UvCase& c, std::ostream* out) {
 
 /// A second set whose seams cross those of the first one, and a third of one chart of the upper half.
 TexturedTriangles with_sets(TexturedTriangles s, double middle) {
-  add_uv_set(s, [&](std::size_t t, const Vec3d& p) {
+  add_uv_set(s, [&](std::size_t t, const Vec3& p) {
     const bool upper = centroid(s, t)[1] > middle;  // mirrored there
-    return Vec2d((upper ? -1 : 1) * p[0] + (upper ? 100 : 0), p[1] + p[2] / 4);
+    return Vec2((upper ? -1 : 1) * p[0] + (upper ? 100 : 0), p[1] + p[2] / 4);
   });
   add_uv_set(
-      s, [](std::size_t, const Vec3d& p) { return Vec2d(p[0] + 0.2 * p[2], p[1]); },
+      s, [](std::size_t, const Vec3& p) { return Vec2(p[0] + 0.2 * p[2], p[1]); },
       [&](std::size_t t) { return centroid(s, t)[1] > middle; });
   return s;
 }
@@ -52,9 +49,9 @@ TexturedTriangles with_sets(TexturedTriangles s, double middle) {
 /// A sphere with eight charts and, in a second set, two: the halves seen from above and below.
 TexturedTriangles sphere_with_halves() {
   TexturedTriangles s = sphere_with_charts().input;
-  add_uv_set(s, [&](std::size_t t, const Vec3d& p) {
+  add_uv_set(s, [&](std::size_t t, const Vec3& p) {
     const double side = centroid(s, t)[2] > 0 ? 1 : -1;
-    return Vec2d(p[0], p[1]) / (1 + side * p[2]) + Vec2d(3 * side, 0);
+    return Vec2(p[0], p[1]) / (1 + side * p[2]) + Vec2(3 * side, 0);
   });
   return s;
 }
@@ -62,9 +59,9 @@ TexturedTriangles sphere_with_halves() {
 /// Where the seam of the first set runs, the second one is cut in the upper half only.
 TexturedTriangles with_slit_on_seam() {
   TexturedTriangles s = waves();
-  add_uv_set(s, [&](std::size_t t, const Vec3d& p) {
+  add_uv_set(s, [&](std::size_t t, const Vec3& p) {
     const double cut = centroid(s, t)[0] < 10 ? 0 : std::max(0.0, p[1] - 10);
-    return Vec2d(p[0] + cut, p[1]);
+    return Vec2(p[0] + cut, p[1]);
   });
   return s;
 }
@@ -113,10 +110,10 @@ INSTANTIATE_TEST_SUITE_P(Made, SeveralSets,
 // On a plane, affine maps of both sets must stay true: whatever one of them wants, the other follows.
 TEST(SeveralSets, OfAPlaneStayAffine) {
   TexturedTriangles in = bare(grid(20, 20));
-  const auto first = [](const Vec3d& p) { return Vec2d(0.3 * p[0] + 0.1 * p[1], 0.2 * p[1] - 1); };
-  const auto second = [](const Vec3d& p) { return Vec2d(5 * p[1] - p[0], 4 * p[0] + p[1]); };
-  add_texture(in, [&](std::size_t, const Vec3d& p) { return first(p); });
-  add_uv_set(in, [&](std::size_t, const Vec3d& p) { return second(p); });
+  const auto first = [](const Vec3& p) { return Vec2(0.3 * p[0] + 0.1 * p[1], 0.2 * p[1] - 1); };
+  const auto second = [](const Vec3& p) { return Vec2(5 * p[1] - p[0], 4 * p[0] + p[1]); };
+  add_texture(in, [&](std::size_t, const Vec3& p) { return first(p); });
+  add_uv_set(in, [&](std::size_t, const Vec3& p) { return second(p); });
   TexturedSurface surface(in);
   (void)decimate(surface, to_ratio(in, 0.02));
   std::vector<Index> source;
@@ -124,7 +121,7 @@ TEST(SeveralSets, OfAPlaneStayAffine) {
   EXPECT_LT(out.triangles.size(), 40U);
   for (std::size_t t = 0; t < out.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3d& p = out.positions[static_cast<std::size_t>(out.triangles[t][i].position)];
+      const Vec3& p = out.positions[static_cast<std::size_t>(out.triangles[t][i].position)];
       const auto uv = [&](std::size_t set) {
         return out.texcoords_of(set)[static_cast<std::size_t>(out.texcoord(set, t, i))];
       };
@@ -138,7 +135,7 @@ double area_in_texture(const TexturedTriangles& s, std::size_t t) {
   const auto uv = [&](std::size_t i) {
     return s.texcoords[static_cast<std::size_t>(s.triangles[t][i].texcoord)];
   };
-  const Vec2d u = uv(1) - uv(0), v = uv(2) - uv(0);
+  const Vec2 u = uv(1) - uv(0), v = uv(2) - uv(0);
   return u[0] * v[1] - u[1] * v[0];
 }
 
@@ -147,8 +144,8 @@ double area_in_texture(const TexturedTriangles& s, std::size_t t) {
 TEST(FoldedChart, KeepsTheOrientationOfBothHalves) {
   for (const double fold : {10.0, 9.0, 12.0}) {
     TexturedTriangles in = bare(grid(20, 20));
-    for (Vec3d& p : in.positions) p[2] = 2 * std::sin(0.7 * p[0]) * std::cos(0.9 * p[1]);
-    add_texture(in, [&](std::size_t, const Vec3d& p) { return Vec2d(std::abs(p[0] - fold), p[1]); });
+    for (Vec3& p : in.positions) p[2] = 2 * std::sin(0.7 * p[0]) * std::cos(0.9 * p[1]);
+    add_texture(in, [&](std::size_t, const Vec3& p) { return Vec2(std::abs(p[0] - fold), p[1]); });
     for (const double ratio : {0.3, 0.1, 0.03}) {
       TexturedSurface surface(in);
       DecimateOptions options = to_ratio(in, ratio);
@@ -167,7 +164,7 @@ TEST(FoldedChart, KeepsTheOrientationOfBothHalves) {
 
 TEST(SeveralSets, MoreThanFourAreRefused) {
   TexturedTriangles in = one_chart().input;
-  for (int i = 0; i < 4; ++i) add_uv_set(in, [](std::size_t, const Vec3d& p) { return Vec2d(p[0], p[1]); });
+  for (int i = 0; i < 4; ++i) add_uv_set(in, [](std::size_t, const Vec3& p) { return Vec2(p[0], p[1]); });
   TexturedSurface surface(in);
   EXPECT_THROW((void)decimate(surface, to_ratio(in, 0.5)), InputError);
   in.more_uv_sets.pop_back();
@@ -190,8 +187,9 @@ TEST(Colors, StayInTheRangeOfTheInput) {
       const TexturedTriangles out = surface.triangles(source);
       ASSERT_EQ(out.colors.size(), out.positions.size());
       std::set<double> greens;
-      for (const Vec3d& c : out.colors) {
-        EXPECT_TRUE(c[0] >= 0.2 && c[0] <= 0.4 && c[1] >= 0 && c[1] <= 1 && c[2] >= 0.7 && c[2] <= 0.75) << c;
+      for (const Vec3& c : out.colors) {
+        EXPECT_TRUE(c[0] >= 0.2 && c[0] <= 0.4 && c[1] >= 0 && c[1] <= 1 && c[2] >= 0.7 && c[2] <= 0.75)
+            << testing::PrintToString(c);
         greens.insert(c[1]);
       }
       EXPECT_GT(greens.size(), out.colors.size() / 2) << "they are not all the same one";
@@ -201,10 +199,10 @@ TEST(Colors, StayInTheRangeOfTheInput) {
 // By length, vertices are put on the edge: colours that are an affine function of position stay so.
 TEST(Colors, AreInterpolatedWherePositionsAre) {
   TexturedTriangles in = waves(2);
-  const auto color = [](const Vec3d& p) {
-    return Vec3d(p[0] / 40 + p[1] / 80, 0.5 - p[2] / 8, p[0] / 30 + 0.1 * (p[2] + 2) / 8);
+  const auto color = [](const Vec3& p) {
+    return Vec3(p[0] / 40 + p[1] / 80, 0.5 - p[2] / 8, p[0] / 30 + 0.1 * (p[2] + 2) / 8);
   };
-  for (const Vec3d& p : in.positions) in.colors.push_back(color(p));
+  for (const Vec3& p : in.positions) in.colors.push_back(color(p));
   TexturedSurface surface(in);
   DecimateOptions options = to_ratio(in, 0.2);
   options.cost = DecimateCost::length;
@@ -217,7 +215,7 @@ TEST(Colors, AreInterpolatedWherePositionsAre) {
 
 TEST(Colors, OfVerticesThatStayAreKept) {
   TexturedTriangles in = two_charts().input;
-  std::map<Vec3d, Vec3d> color_at;
+  std::map<Vec3, Vec3> color_at;
   for (std::size_t v = 0; v < in.positions.size(); ++v) {
     in.colors.push_back({double(v % 7) / 7, double(v % 11) / 11, double(v % 13) / 13});
     color_at[in.positions[v]] = in.colors.back();
@@ -230,7 +228,7 @@ TEST(Colors, OfVerticesThatStayAreKept) {
   const TexturedTriangles out = surface.triangles(source);
   std::size_t checked = 0;
   for (std::size_t v = 0; v < out.positions.size(); ++v) {
-    const Vec3d& p = out.positions[v];
+    const Vec3& p = out.positions[v];
     if (p[0] != 0 && p[0] != 10 && p[0] != 20 && p[1] != 0 && p[1] != 20) continue;
     ASSERT_TRUE(color_at.contains(p));
     EXPECT_EQ(out.colors[v], color_at[p]);
@@ -242,14 +240,14 @@ TEST(Colors, OfVerticesThatStayAreKept) {
 /// Shaded flat: the normals are those of the cube's six faces.
 TexturedTriangles shaded_cube(int n) {
   TexturedTriangles s = cube(n);
-  std::vector<Vec3d> normals;
+  std::vector<Vec3> normals;
   std::vector<std::array<std::int32_t, 3>> corners(s.triangles.size());
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     const auto p = [&](std::size_t i) {
       return s.positions[static_cast<std::size_t>(s.triangles[t][i].position)];
     };
     corners[t].fill(static_cast<std::int32_t>(t));
-    normals.push_back(cross(p(1) - p(0), p(2) - p(0)).normalize());
+    normals.push_back(cross(p(1) - p(0), p(2) - p(0)).normalized());
   }
   s.shading = shading(s, normals, corners);
   return s;

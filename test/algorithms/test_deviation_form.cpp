@@ -16,8 +16,8 @@ using namespace decimation;
 
 class RandomVectors {
  public:
-  Vec3d operator()(double size = 1) { return Vec3d(d_(r_), d_(r_), d_(r_)) * size; }
-  Vec3d unit() { return (*this)().normalized(); }
+  Vec3 operator()(double size = 1) { return Vec3(d_(r_), d_(r_), d_(r_)) * size; }
+  Vec3 unit() { return (*this)().normalized(); }
   double weight() { return 1.5 + d_(r_); }
 
  private:
@@ -30,21 +30,21 @@ TEST(PositionForm, MinimumIsWhereTheDerivativeVanishes) {
   for (int trial = 0; trial < 100; ++trial) {
     PositionForm a;
     for (int i = 0; i < 4; ++i) a.add(PositionForm::plane(random.unit(), random.weight()), 1);
-    const Vec3d f = random(), x = minimum(a, f);
+    const Vec3 f = random(), x = minimum(a, f);
     EXPECT_LT((a.times(x) + f).norm(), 1e-9 * (1 + x.norm()) * a.trace());
   }
-  EXPECT_EQ(minimum({}, random()), Vec3d(0, 0, 0)) << "a singular form has none";
+  EXPECT_EQ(minimum({}, random()), Vec3(0, 0, 0)) << "a singular form has none";
 }
 
 // Vertices that move and merge, as in a run, against the planes themselves.
 TEST(PlanesForm, SumsDistancesFromPlanesThroughMovesAndMerges) {
   RandomVectors random;
   struct Plane {
-    Vec3d n;
+    Vec3 n;
     double offset, weight;
   };
   struct Vertex {
-    Vec3d position;
+    Vec3 position;
     PlanesForm form;
     std::vector<Plane> planes;
   };
@@ -61,13 +61,13 @@ TEST(PlanesForm, SumsDistancesFromPlanesThroughMovesAndMerges) {
     Vertex gone = vertices.back();
     vertices.pop_back();
     Vertex& kept = vertices[vertices.size() / 2];
-    const Vec3d place = (kept.position + gone.position) * 0.5 + random(0.1);
+    const Vec3 place = (kept.position + gone.position) * 0.5 + random(0.1);
     kept.form.move(place - kept.position);
     gone.form.move(place - gone.position);
     kept.form.merge(gone.form);
     kept.position = place;
     kept.planes.insert(kept.planes.end(), gone.planes.begin(), gone.planes.end());
-    const Vec3d x = random(0.5);
+    const Vec3 x = random(0.5);
     double sum = 0, scale = 0;
     for (const Plane& p : kept.planes) {
       const double d = dot(p.n, place + x) - p.offset;

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <random>
 
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/decimation/near_triangles.hpp"
 #include "multimesh/algorithms/decimation/witnesses.hpp"
-#include "multimesh/closest_point.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
+#include "multimesh/geometry/closest_point.hpp"
 #include "multimesh/validate.hpp"
 #include "test/algorithms/decimate_cost_name.hpp"
 #include "test/algorithms/made_surface.hpp"
@@ -19,10 +19,9 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec3d;
 using spatial::Triangle;
 
-spatial::Point point(const Vec3d& p) {
+Vec3 point(const Vec3& p) {
   return {p[0], p[1], p[2]};
 }
 
@@ -51,7 +50,7 @@ std::vector<Triangle> around(const Triangle& t, const std::vector<Triangle>& tri
   return found;
 }
 
-bool is_near(const spatial::Point& p, const std::vector<Triangle>& triangles, double distance) {
+bool is_near(const Vec3& p, const std::vector<Triangle>& triangles, double distance) {
   return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
     return spatial::closest_point(p, t).squared_distance <= distance * distance;
   });
@@ -103,7 +102,7 @@ DecimateOptions to_error(double error, DecimateCost cost) {
 TexturedTriangles rough(TexturedTriangles s, double noise) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> offset(-noise, noise);
-  for (Vec3d& p : s.positions)
+  for (Vec3& p : s.positions)
     for (std::size_t i = 0; i < 3; ++i) p[i] += offset(random);
   return s;
 }
@@ -120,7 +119,7 @@ TexturedTriangles several_components() {
   for (int i = 0; i < 3; ++i) {
     const TexturedTriangles ball = bare(sphere(3));
     const auto first = static_cast<std::int32_t>(s.positions.size());
-    for (const Vec3d& p : ball.positions) s.positions.push_back(p * 3.0 + Vec3d(6.1 * i, 5, 5));
+    for (const Vec3& p : ball.positions) s.positions.push_back(p * 3.0 + Vec3(6.1 * i, 5, 5));
     for (auto t : ball.triangles) {
       for (auto& c : t) c.position += first;
       s.triangles.push_back(t);
@@ -282,7 +281,7 @@ TEST(Witnesses, ListsAgreeWithSetsAfterManyChanges) {
 TEST(NearTriangles, AgreeWithTheClosestPoints) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> number(0, 2);
-  const auto place = [&] { return spatial::Point{number(random), number(random), number(random)}; };
+  const auto place = [&] { return Vec3{number(random), number(random), number(random)}; };
   const double distance = 0.3;
   decimation::NearTriangles near(distance);
   std::vector<Triangle> triangles;
@@ -291,7 +290,7 @@ TEST(NearTriangles, AgreeWithTheClosestPoints) {
     near.add(i, triangles.back());
   }
   for (int k = 0; k < 1000; ++k) {
-    const spatial::Point p = place();
+    const Vec3 p = place();
     const auto mask = near.near(p).mask, late = near.near(p, 10).mask;
     EXPECT_EQ(mask >> 10, late >> 10);
     EXPECT_EQ(late & 1023U, 0U);

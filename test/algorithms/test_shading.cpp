@@ -6,37 +6,34 @@
 #include <numbers>
 #include <set>
 
-#include "multimesh/algorithms/corner_normals.hpp"
 #include "multimesh/algorithms/decimate.hpp"
-#include "multimesh/algorithms/shading.hpp"
+#include "multimesh/domains/corner_normals.hpp"
+#include "multimesh/domains/shading.hpp"
 #include "multimesh/operations.hpp"
 #include "test/algorithms/made_surface.hpp"
 
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 constexpr double degrees = std::numbers::pi / 180;
 
-const Vec3d& position(const TexturedTriangles& s, std::size_t t, std::size_t i) {
+const Vec3& position(const TexturedTriangles& s, std::size_t t, std::size_t i) {
   return s.positions[static_cast<std::size_t>(s.triangles[t][i].position)];
 }
 
-Vec3d face_normal(const TexturedTriangles& s, std::size_t t) {
-  const Vec3d& p = position(s, t, 0);
-  return cross(position(s, t, 1) - p, position(s, t, 2) - p).normalize();
+Vec3 face_normal(const TexturedTriangles& s, std::size_t t) {
+  const Vec3& p = position(s, t, 0);
+  return cross(position(s, t, 1) - p, position(s, t, 2) - p).normalized();
 }
 
-double angle(const Vec3d& m, const Vec3d& n) {
+double angle(const Vec3& m, const Vec3& n) {
   return std::atan2(cross(m, n).norm(), dot(m, n)) / degrees;
 }
 
 /// Gives a surface the normals that `normal` says, a list entry per corner.
-using NormalOf = std::function<Vec3d(std::size_t triangle, std::size_t corner)>;
+using NormalOf = std::function<Vec3(std::size_t triangle, std::size_t corner)>;
 TexturedTriangles shaded(TexturedTriangles s, const NormalOf& normal) {
-  std::vector<Vec3d> normals;
+  std::vector<Vec3> normals;
   std::vector<std::array<std::int32_t, 3>> corners(s.triangles.size());
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -74,8 +71,8 @@ std::size_t hard_edges_of(const TexturedSurface& surface) {
 }
 
 /// Hard edges by their positions, each once.
-std::set<std::array<Vec3d, 2>> hard_edges_of(const TexturedTriangles& s) {
-  std::set<std::array<Vec3d, 2>> edges;
+std::set<std::array<Vec3, 2>> hard_edges_of(const TexturedTriangles& s) {
+  std::set<std::array<Vec3, 2>> edges;
   for (std::size_t t = 0; t < s.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
       if (s.shading[t] >> i & 1U)
@@ -85,16 +82,15 @@ std::set<std::array<Vec3d, 2>> hard_edges_of(const TexturedTriangles& s) {
 }
 
 /// Expects the surface's normals to be within an angle in degrees of what is expected corner by corner.
-void expect_normals(
-    const TexturedSurface& surface, double tolerance,
-    const std::function<Vec3d(const TexturedTriangles&, std::size_t, std::size_t)>& expected) {
+void expect_normals(const TexturedSurface& surface, double tolerance,
+                    const std::function<Vec3(const TexturedTriangles&, std::size_t, std::size_t)>& expected) {
   std::vector<Index> source;
   const TexturedTriangles out = surface.triangles(source);
   const CornerNormals n = corner_normals(surface);
   ASSERT_EQ(n.corners.size(), out.triangles.size());
   for (std::size_t t = 0; t < out.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3d& have = n.normals[static_cast<std::size_t>(n.corners[t][i])];
+      const Vec3& have = n.normals[static_cast<std::size_t>(n.corners[t][i])];
       ASSERT_LE(angle(have, expected(out, t, i)), tolerance) << "triangle " << t << " corner " << i;
       ASSERT_NEAR(have.norm(), 1, 2e-6);
     }
@@ -114,13 +110,13 @@ TEST(Shading, AFlatCubeHasTwelveHardEdgesAndSixNormals) {
 
 TEST(Shading, ASmoothCubeHasNoneAndEightNormals) {
   const TexturedTriangles in = shaded(
-      cube(), [s = cube()](std::size_t t, std::size_t i) { return position(s, t, i) - Vec3d(.5, .5, .5); });
+      cube(), [s = cube()](std::size_t t, std::size_t i) { return position(s, t, i) - Vec3(.5, .5, .5); });
   const TexturedSurface surface(in);
   ASSERT_TRUE(surface.has_normals());
   EXPECT_EQ(hard_edges_of(surface), 0U);
   EXPECT_EQ(corner_normals(surface).normals.size(), 8U);
   expect_normals(surface, 1e-4, [](const TexturedTriangles& s, std::size_t t, std::size_t i) {
-    return position(s, t, i) - Vec3d(.5, .5, .5);  // by angles: a diagonal of a side does not matter
+    return position(s, t, i) - Vec3(.5, .5, .5);  // by angles: a diagonal of a side does not matter
   });
 }
 
@@ -160,7 +156,7 @@ TEST(Shading, RoundTripKeepsTheHardEdges) {
     std::vector<Index> source;
     const TexturedTriangles out = surface.triangles(source);
     ASSERT_EQ(out.shading.size(), out.triangles.size());
-    std::set<std::array<Vec3d, 2>> missing = hard_edges_of(in);
+    std::set<std::array<Vec3, 2>> missing = hard_edges_of(in);
     for (const auto& e : hard_edges_of(out)) EXPECT_EQ(missing.erase(e), 1U) << made.name;
     EXPECT_TRUE(missing.empty()) << made.name;
     expect_normals(surface, 0.5, of_the_face);
@@ -180,7 +176,7 @@ TEST(Shading, SmallDifferencesAndMissingNormalsAreSmooth) {
   s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   s.triangles = {{{{0}, {1}, {2}}}, {{{0}, {2}, {3}}}};
   const auto bits = [&](double turn, std::int32_t missing) {
-    const std::vector<Vec3d> normals{
+    const std::vector<Vec3> normals{
         {0, 0, 2}, {0, std::sin(turn * degrees), std::cos(turn * degrees)}, {0, 0, 0}};
     return shading(s, normals, std::vector<std::array<std::int32_t, 3>>{{0, 0, 0}, {missing, missing, 1}})[0];
   };
@@ -197,11 +193,11 @@ TEST(Shading, NormalsStayOnTheirSide) {
                  [](const TexturedTriangles& x, std::size_t t, std::size_t) { return -face_normal(x, t); });
   // Triangles turned round, normals all the same: they stay the same.
   const TexturedTriangles half = half_reversed().input;
-  const TexturedSurface surface(shaded(half, [](std::size_t, std::size_t) { return Vec3d(0, 0, 1); }));
+  const TexturedSurface surface(shaded(half, [](std::size_t, std::size_t) { return Vec3(0, 0, 1); }));
   ASSERT_GT(surface.cut_report().reversed_triangles, 0U);
   EXPECT_EQ(hard_edges_of(surface), 0U);
   expect_normals(surface, 1e-4,
-                 [](const TexturedTriangles&, std::size_t, std::size_t) { return Vec3d(0, 0, 1); });
+                 [](const TexturedTriangles&, std::size_t, std::size_t) { return Vec3(0, 0, 1); });
 }
 
 TEST(Shading, AHardEdgeThatReachesTheBoundaryDividesItsFan) {
@@ -217,7 +213,7 @@ TEST(Shading, FacesWithoutAreaHaveANormal) {
   TexturedTriangles s;
   s.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   s.triangles = {{{{0}, {1}, {2}}}};
-  EXPECT_EQ(corner_normals(TexturedSurface(s)).normals, (std::vector<Vec3d>{{0, 0, 1}}));
+  EXPECT_EQ(corner_normals(TexturedSurface(s)).normals, (std::vector<Vec3>{{0, 0, 1}}));
 }
 
 TEST(Shading, ADecimatedFlatSurfaceIsFlat) {

@@ -11,9 +11,6 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 __extension__ using Quad = __float128;
 
 /// Exact enough: differences of doubles and their products have at most 108 of 113 digits where the points
@@ -22,31 +19,30 @@ int sign(const TexturedTriangles& s, std::size_t t) {
   const auto at = [&](std::size_t i) {
     return s.texcoords[static_cast<std::size_t>(s.triangles[t][i].texcoord)];
   };
-  const Vec2d a = at(0), b = at(1), c = at(2);
+  const Vec2 a = at(0), b = at(1), c = at(2);
   const Quad det = (Quad(b[0]) - a[0]) * (Quad(c[1]) - a[1]) - (Quad(b[1]) - a[1]) * (Quad(c[0]) - a[0]);
   return (det > 0) - (det < 0);
 }
 
 struct Grading {
   const char* name;
-  Vec2d (*uv)(const Vec3d&);  ///< of a point in [0, 1]^2
+  Vec2 (*uv)(const Vec3&);  ///< of a point in [0, 1]^2
 };
 
 constexpr Grading gradings[] = {
-    {"power", [](const Vec3d& p) { return Vec2d(std::pow(p[0], 12), p[1] * std::pow(p[0], 6)); }},
-    {"strip", [](const Vec3d& p) { return Vec2d(p[0], 1e-13 * p[1]); }},
-    {"far away", [](const Vec3d& p) { return Vec2d(1000 + 1e-9 * p[0], 1000 + 1e-9 * p[1]); }},
-    {"corner",
-     [](const Vec3d& p) { return Vec2d(std::exp(-30 * p[0]) * p[0], std::exp(-30 * p[0]) * p[1]); }},
-    {"needle", [](const Vec3d& p) { return Vec2d(p[0] + p[1], p[0] + p[1] * (1 + 1e-12)); }}};
+    {"power", [](const Vec3& p) { return Vec2(std::pow(p[0], 12), p[1] * std::pow(p[0], 6)); }},
+    {"strip", [](const Vec3& p) { return Vec2(p[0], 1e-13 * p[1]); }},
+    {"far away", [](const Vec3& p) { return Vec2(1000 + 1e-9 * p[0], 1000 + 1e-9 * p[1]); }},
+    {"corner", [](const Vec3& p) { return Vec2(std::exp(-30 * p[0]) * p[0], std::exp(-30 * p[0]) * p[1]); }},
+    {"needle", [](const Vec3& p) { return Vec2(p[0] + p[1], p[0] + p[1] * (1 + 1e-12)); }}};
 
 TexturedTriangles graded(const Grading& grading, unsigned seed, bool far_triangle) {
   TexturedTriangles s = waves(0.3);
   jitter(s, 0.2, seed);
-  Vec3d low = s.positions[0], high = low;
-  for (const Vec3d& p : s.positions) low.minimize(p), high.maximize(p);
+  Vec3 low = s.positions[0], high = low;
+  for (const Vec3& p : s.positions) low = min(low, p), high = max(high, p);
   s.texcoords.clear();
-  for (const Vec3d& p : s.positions)
+  for (const Vec3& p : s.positions)
     s.texcoords.push_back(grading.uv(
         {0.01 + 0.98 * (p[0] - low[0]) / (high[0] - low[0]), (p[1] - low[1]) / (high[1] - low[1]), 0}));
   for (auto& t : s.triangles)
@@ -55,7 +51,7 @@ TexturedTriangles graded(const Grading& grading, unsigned seed, bool far_triangl
     const auto v = static_cast<std::int32_t>(s.positions.size()),
                vt = static_cast<std::int32_t>(s.texcoords.size());
     for (int i = 0; i < 3; ++i) {
-      s.positions.push_back(high + Vec3d(i == 1, i == 2, 1));
+      s.positions.push_back(high + Vec3(i == 1, i == 2, 1));
       s.texcoords.push_back({i == 1 ? 1e5 : 0, i == 2 ? 1e5 : 0});
     }
     s.triangles.push_back({{{v, vt}, {v + 1, vt + 1}, {v + 2, vt + 2}}});

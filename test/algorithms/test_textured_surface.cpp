@@ -13,14 +13,11 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 /// A corner by value.
 struct Corner {
-  Vec3d position;
+  Vec3 position;
   bool textured;
-  Vec2d texcoord;
+  Vec2 texcoord;
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
@@ -30,7 +27,7 @@ std::array<Corner, 3> corners(const TexturedTriangles& s, std::size_t t) {
     const auto& c = s.triangles[t][i];
     const bool textured = c.texcoord >= 0;
     result[i] = {s.positions[static_cast<std::size_t>(c.position)], textured,
-                 textured ? s.texcoords[static_cast<std::size_t>(c.texcoord)] : Vec2d(0, 0)};
+                 textured ? s.texcoords[static_cast<std::size_t>(c.texcoord)] : Vec2(0, 0)};
   }
   return result;
 }
@@ -107,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(TexturedSurface, RoundTrip, ::testing::ValuesIn(made_su
 INSTANTIATE_TEST_SUITE_P(TexturedSurface, ManifoldRoundTrip, ::testing::ValuesIn(manifold_surfaces()),
                          name_of);
 
-TexturedTriangles two_triangles(std::array<Vec2d, 6> texcoords) {
+TexturedTriangles two_triangles(std::array<Vec2, 6> texcoords) {
   TexturedTriangles s;
   s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   s.texcoords.assign(texcoords.begin(), texcoords.end());

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "multimesh/algorithms/decimate.hpp"
-#include "multimesh/algorithms/shading.hpp"
-#include "multimesh/algorithms/turn_reversed.hpp"
+#include "multimesh/domains/shading.hpp"
+#include "multimesh/domains/turn_reversed.hpp"
 #include "test/algorithms/judge.hpp"
 #include "test/algorithms/rich_surface.hpp"
 
@@ -48,7 +48,7 @@ void expect_same(const TexturedTriangles& a, const TexturedTriangles& b) {
 TexturedTriangles twice(const TexturedTriangles& s) {
   TexturedTriangles both = s;
   const auto by = static_cast<std::int32_t>(s.positions.size());
-  for (const auto& p : s.positions) both.positions.push_back(p + OpenMesh::Vec3d(100, 0, 0));
+  for (const auto& p : s.positions) both.positions.push_back(p + Vec3(100, 0, 0));
   for (auto t : s.triangles) {
     for (auto& c : t) c.position += by;
     both.triangles.push_back(t);
@@ -67,7 +67,7 @@ std::vector<MadeSurface> surfaces() {
   std::mt19937 random(5);
   for (std::size_t t = 0; t < shaded.input.triangles.size(); ++t)
     shaded.input.shading.push_back(static_cast<std::uint8_t>(random() % 32));
-  add_uv_set(shaded.input, [](std::size_t, const OpenMesh::Vec3d& p) { return OpenMesh::Vec2d(p[1], p[0]); });
+  add_uv_set(shaded.input, [](std::size_t, const Vec3& p) { return Vec2(p[1], p[0]); });
   all.push_back(std::move(shaded));
   return all;
 }

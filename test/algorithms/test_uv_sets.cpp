@@ -11,9 +11,6 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 /// Adds a set, one texture coordinate per corner; triangles of which `has` is false stay without.
 void add_set(
     TexturedTriangles& s, const Unwrap& unwrap,
@@ -28,26 +25,26 @@ void add_set(
   }
 }
 
-Vec3d centroid(const TexturedTriangles& s, std::size_t t) {
-  Vec3d sum(0, 0, 0);
+Vec3 centroid(const TexturedTriangles& s, std::size_t t) {
+  Vec3 sum(0, 0, 0);
   for (const auto& c : s.triangles[t]) sum += s.positions[static_cast<std::size_t>(c.position)];
   return sum / 3.0;
 }
 
 /// Two charts, one for each half in y.
 void add_lower_and_upper(TexturedTriangles& s, double middle = 10) {
-  add_set(s, [&](std::size_t t, const Vec3d& p) {
-    return Vec2d(p[0] + (centroid(s, t)[1] < middle ? 0 : 100), p[1] + p[2] / 4);
+  add_set(s, [&](std::size_t t, const Vec3& p) {
+    return Vec2(p[0] + (centroid(s, t)[1] < middle ? 0 : 100), p[1] + p[2] / 4);
   });
 }
 
 /// Position and texture coordinates of all sets, by value; -1 -1 where there are none.
 std::vector<double> corner(const TexturedTriangles& s, std::size_t t, std::size_t i) {
-  const Vec3d& p = s.positions[static_cast<std::size_t>(s.triangles[t][i].position)];
+  const Vec3& p = s.positions[static_cast<std::size_t>(s.triangles[t][i].position)];
   std::vector<double> result(p.data(), p.data() + 3);
   for (std::size_t set = 0; set < s.uv_sets(); ++set) {
     const std::int32_t vt = s.texcoord(set, t, i);
-    const Vec2d uv = vt < 0 ? Vec2d(-1, -1) : s.texcoords_of(set)[static_cast<std::size_t>(vt)];
+    const Vec2 uv = vt < 0 ? Vec2(-1, -1) : s.texcoords_of(set)[static_cast<std::size_t>(vt)];
     result.insert(result.end(), uv.data(), uv.data() + 2);
   }
   return result;
@@ -68,7 +65,7 @@ TEST_P(UvSets, ComeOutAsTheyWentIn) {
   TexturedTriangles in = GetParam().input;
   add_lower_and_upper(in);
   add_set(
-      in, [](std::size_t t, const Vec3d& p) { return Vec2d(p[0] + double(t % 2), p[2]); },
+      in, [](std::size_t t, const Vec3& p) { return Vec2(p[0] + double(t % 2), p[2]); },
       [](std::size_t t) { return t % 3 != 0; });
   const TexturedSurface surface(in);
   EXPECT_EQ(validate(surface.tree()), std::vector<std::string>());
@@ -88,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, UvSets, ::testing::ValuesIn(made_surfaces()),
 TEST(UvSets, EachHasItsOwnSeams) {
   TexturedTriangles in = two_charts().input;  // a seam at x = 10
   add_lower_and_upper(in);                    // and one at y = 10
-  add_set(in, [](std::size_t, const Vec3d& p) { return Vec2d(p[0], p[1]); });
+  add_set(in, [](std::size_t, const Vec3& p) { return Vec2(p[0], p[1]); });
   const TexturedSurface surface(in);
   for (const std::size_t set : {0, 1}) {
     const SeamReport r = report_seams(surface, set);
@@ -109,8 +106,8 @@ TEST(UvSets, EachHasItsOwnSeams) {
 
 TEST(UvSets, SeamsOfTwoOnTheSameEdgesAreOneCurve) {
   TexturedTriangles in = two_charts().input;
-  add_set(in, [&](std::size_t t, const Vec3d& p) {
-    return Vec2d(p[0], p[1] + (centroid(in, t)[0] < 10 ? 0 : 30));
+  add_set(in, [&](std::size_t t, const Vec3& p) {
+    return Vec2(p[0], p[1] + (centroid(in, t)[0] < 10 ? 0 : 30));
   });
   const TexturedSurface surface(in);
   EXPECT_EQ(report(surface.tree().mesh(surface.seams().value())).components, 1U);
@@ -120,8 +117,8 @@ TEST(UvSets, SeamsOfTwoOnTheSameEdgesAreOneCurve) {
 TEST(UvSets, ACurveEndsWhereASecondSetsSeamLeavesIt) {
   TexturedTriangles in = two_charts().input;
   const auto cut_from = [&](std::size_t t) { return centroid(in, t)[0] < 10 ? 0.0 : 1.0; };
-  add_set(in, [&](std::size_t t, const Vec3d& p) {  // a slit on the upper half of the first set's seam
-    return Vec2d(p[0] + cut_from(t) * std::max(0.0, p[1] - 10), p[1]);
+  add_set(in, [&](std::size_t t, const Vec3& p) {  // a slit on the upper half of the first set's seam
+    return Vec2(p[0] + cut_from(t) * std::max(0.0, p[1] - 10), p[1]);
   });
   const TexturedSurface surface(in);
   const MeshReport curves = report(surface.tree().mesh(surface.seams().value()));
@@ -132,9 +129,9 @@ TEST(UvSets, ACurveEndsWhereASecondSetsSeamLeavesIt) {
 
 TEST(UvSets, BordersOfAPartHaveTheirKind) {
   TexturedTriangles in = one_chart().input;
-  const std::vector<Vec3d> positions = in.positions;
+  const std::vector<Vec3> positions = in.positions;
   add_set(
-      in, [](std::size_t, const Vec3d& p) { return Vec2d(p[0], p[1]); },
+      in, [](std::size_t, const Vec3& p) { return Vec2(p[0], p[1]); },
       [&](std::size_t t) { return centroid(in, t)[0] < 10; });
   const TexturedSurface surface(in);
   EXPECT_EQ(surface.curve_kinds_of(0), texture_border_of(1));
@@ -157,13 +154,13 @@ TEST(UvSets, WrongOnesAreRefused) {
   TexturedTriangles in = good;
   in.more_uv_sets.emplace_back();
   EXPECT_THROW(TexturedSurface{in}, InputError) << "no corners";
-  add_set(in = good, [](std::size_t, const Vec3d&) { return Vec2d(0, 0); });
+  add_set(in = good, [](std::size_t, const Vec3&) { return Vec2(0, 0); });
   in.more_uv_sets[0].corners[5][1] = -1;
   EXPECT_THROW(TexturedSurface{in}, InputError) << "some corners only";
   in.more_uv_sets[0].corners[5] = {-1, 0, 1000000};
   EXPECT_THROW(TexturedSurface{in}, InputError) << "out of range";
   add_set(
-      in = good, [](std::size_t, const Vec3d&) { return Vec2d(0, 0); }, [](std::size_t) { return false; });
+      in = good, [](std::size_t, const Vec3&) { return Vec2(0, 0); }, [](std::size_t) { return false; });
   EXPECT_THROW(TexturedSurface{in}, InputError) << "a set of nothing";
   in = good;
   for (std::size_t i = 0; i < max_uv_sets; ++i) add_lower_and_upper(in);
@@ -184,8 +181,8 @@ TEST(Colors, ComeOutAsTheyWentIn) {
       std::vector<std::array<double, 6>> found, expected;
       const auto collect = [](const TexturedTriangles& s, std::size_t f, auto& list) {
         for (const auto& c : s.triangles[f]) {
-          const Vec3d &p = s.positions[static_cast<std::size_t>(c.position)],
-                      &q = s.colors[static_cast<std::size_t>(c.position)];
+          const Vec3 &p = s.positions[static_cast<std::size_t>(c.position)],
+                     &q = s.colors[static_cast<std::size_t>(c.position)];
           list.push_back({p[0], p[1], p[2], q[0], q[1], q[2]});
         }
         std::sort(list.begin(), list.end());

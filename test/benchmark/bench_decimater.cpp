@@ -19,7 +19,7 @@ namespace multimesh::bench {
 namespace {
 
 struct Traits : OpenMesh::DefaultTraitsDouble {
-  using TexCoord2D = OpenMesh::Vec2d;
+  using TexCoord2D = Vec2;
   HalfedgeAttributes(OpenMesh::Attributes::TexCoord2D | OpenMesh::Attributes::PrevHalfedge);
 };
 using Plain = OpenMesh::TriMesh_ArrayKernelT<Traits>;
@@ -35,7 +35,7 @@ void fill(Mesh& mesh, const io::PolygonSoup& soup) {
       for (const auto& c : soup.face(f))
         if (c.v == mesh.to_vertex_handle(h).idx()) {
           const auto& uv = soup.texcoords[static_cast<std::size_t>(c.vt)];
-          mesh.set_texcoord2D(h, OpenMesh::Vec2d(uv[0], uv[1]));
+          mesh.set_texcoord2D(h, Vec2(uv[0], uv[1]));
         }
   }
 }

@@ -13,7 +13,6 @@ namespace multimesh::bench {
 namespace {
 
 using ::benchmark::Counter;
-using OpenMesh::Vec3d;
 
 std::vector<Index> shuffled(Index n) {
   std::vector<Index> order(n);
@@ -33,7 +32,7 @@ bool swap(SurfaceTree& t, Dart e) {
 }
 bool relocate(SurfaceTree& t, Dart v) {
   const Index i = t.root().vertex(v);
-  const Vec3d moved = t.positions()[i] + Vec3d(1e-6, 0, 0);
+  const Vec3 moved = t.positions()[i] + Vec3(1e-6, 0, 0);
   return bool(
       t.operations().relocate(NodeId::root, v, [&](const Event&) { t.position_attribute().set(i, moved); }));
 }

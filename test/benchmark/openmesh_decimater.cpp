@@ -17,8 +17,8 @@ namespace multimesh::bench {
 namespace {
 
 struct Traits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;
-  using Normal = OpenMesh::Vec3d;
+  using Point = Vec3;
+  using Normal = Vec3;
 };
 using TriMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
@@ -26,7 +26,7 @@ TriMesh mesh_of(const PlainObj& obj) {
   TriMesh mesh;
   const std::size_t v = obj.positions.size(), f = obj.faces.size();
   mesh.reserve(v, v + f, f);
-  for (const auto& p : obj.positions) mesh.add_vertex(OpenMesh::Vec3d(p[0], p[1], p[2]));
+  for (const auto& p : obj.positions) mesh.add_vertex(Vec3(p[0], p[1], p[2]));
   const auto vertex = [](std::uint32_t i) { return OpenMesh::VertexHandle(static_cast<int>(i)); };
   for (const auto& [a, b, c] : obj.faces) mesh.add_face(vertex(a), vertex(b), vertex(c));
   return mesh;

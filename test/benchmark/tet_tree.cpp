@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "test/benchmark/tet_tree.hpp"
 
-#include "multimesh/algorithms/make_mesh.hpp"
 #include "multimesh/build.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 
 namespace multimesh::bench {
 

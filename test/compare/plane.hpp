@@ -16,16 +16,15 @@ struct Part {
 
 /// 2 * columns * rows triangles. `uv` gives the texture coordinates of a point as a corner of a triangle with
 /// this centroid; equal values are written once per corner.
-inline TexturedTriangles plane(
-    const Part& part,
-    const std::function<OpenMesh::Vec2d(const OpenMesh::Vec3d& p, const OpenMesh::Vec3d& centroid)>& uv) {
+inline TexturedTriangles plane(const Part& part,
+                               const std::function<Vec2(const Vec3& p, const Vec3& centroid)>& uv) {
   TexturedTriangles s;
   for (int i = 0; i <= part.columns; ++i)
     for (int j = 0; j <= part.rows; ++j)
       s.positions.push_back({part.x0 + (part.x1 - part.x0) * i / part.columns,
                              part.y0 + (part.y1 - part.y0) * j / part.rows, 0});
   const auto add = [&](const std::array<std::int32_t, 3>& v) {
-    OpenMesh::Vec3d centroid(0, 0, 0);
+    Vec3 centroid(0, 0, 0);
     for (const auto i : v) centroid += s.positions[static_cast<std::size_t>(i)] / 3;
     std::array<TexturedTriangles::Corner, 3> t;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -45,7 +44,7 @@ inline TexturedTriangles plane(
 
 /// One chart, texture coordinates = (x, y) / 4.
 inline TexturedTriangles plane(const Part& part = {}) {
-  return plane(part, [](const auto& p, const auto&) { return OpenMesh::Vec2d(p[0] / 4, p[1] / 4); });
+  return plane(part, [](const auto& p, const auto&) { return Vec2(p[0] / 4, p[1] / 4); });
 }
 
 }  // namespace multimesh::test

@@ -19,7 +19,7 @@ CompareOptions few(std::size_t samples = 2000) {
   return o;
 }
 
-TexturedTriangles moved(TexturedTriangles s, const OpenMesh::Vec3d& by) {
+TexturedTriangles moved(TexturedTriangles s, const Vec3& by) {
   for (auto& p : s.positions) p += by;
   return s;
 }
@@ -47,7 +47,7 @@ TEST(CompareDistance, OfAPlaneMovedAlongItsNormal) {
 TEST(CompareDistance, ScaleAndPlaceDoNotMatter) {
   auto a = plane(), b = moved(plane(), {0, 0, 0.25});
   for (auto* s : {&a, &b})
-    for (auto& p : s->positions) p = p * 1e-4 + OpenMesh::Vec3d(100, -200, 300);
+    for (auto& p : s->positions) p = p * 1e-4 + Vec3(100, -200, 300);
   const auto c = compare_surfaces(a, b, few());
   EXPECT_NEAR(c.hausdorff, 0.25 / diagonal, 1e-8);
   EXPECT_NEAR(c.rms, 0.25 / diagonal, 1e-8);
@@ -130,13 +130,13 @@ TEST(Samples, AreUniformOverTheArea) {
   const auto samples = comparison::sample(s, 4000, 7);
   ASSERT_EQ(samples.size(), 4000U);
   std::array<std::size_t, 3> count{};
-  OpenMesh::Vec3d mean(0, 0, 0);
+  Vec3 mean(0, 0, 0);
   for (const auto& x : samples) {
     ++count[x.triangle];
     const auto& w = x.barycentric;
     EXPECT_GE(std::min({w[0], w[1], w[2]}), 0);
     EXPECT_NEAR(w[0] + w[1] + w[2], 1, 1e-15);
-    if (x.triangle == 0) mean += OpenMesh::Vec3d(w[0], w[1], w[2]) / 3000;
+    if (x.triangle == 0) mean += Vec3(w[0], w[1], w[2]) / 3000;
   }
   EXPECT_EQ(count, (std::array<std::size_t, 3>{3000, 0, 1000}));
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(mean[i], 1.0 / 3, 0.02);

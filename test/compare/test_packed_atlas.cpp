@@ -11,9 +11,6 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 /// The unit square in side x side charts, each in a cell of the atlas that is drawn by lot, with a gap around
 /// it relative to the cell.
 class Atlas {
@@ -28,12 +25,12 @@ class Atlas {
   /// Each chart swollen in the atlas by a factor around its middle.
   TexturedTriangles surface(int columns_per_chart, double swollen) const {
     const int n = side_ * columns_per_chart;
-    return plane({0, 1, 0, 1, n, n}, [&](const Vec3d& p, const Vec3d& centroid) {
+    return plane({0, 1, 0, 1, n, n}, [&](const Vec3& p, const Vec3& centroid) {
       const int i = static_cast<int>(centroid[0] * side_), j = static_cast<int>(centroid[1] * side_);
       const int cell = cell_[static_cast<std::size_t>(i * side_ + j)];
-      const Vec2d middle(0.5, 0.5), inside = Vec2d(p[0] * side_ - i, p[1] * side_ - j);
-      const Vec2d at = middle + (inside - middle) * swollen * (1 - gap_);
-      return (at + Vec2d(cell / side_, cell % side_)) / side_;
+      const Vec2 middle(0.5, 0.5), inside = Vec2(p[0] * side_ - i, p[1] * side_ - j);
+      const Vec2 at = middle + (inside - middle) * swollen * (1 - gap_);
+      return (at + Vec2(cell / side_, cell % side_)) / side_;
     });
   }
 
@@ -77,7 +74,7 @@ TEST(ComparePackedAtlas, AWrongChartIsStillSeen) {
   const TexturedTriangles original = atlas.surface(4, 1);
   TexturedTriangles other = original;
   const auto chart = [](const TexturedTriangles& s, std::size_t t) {
-    Vec3d middle(0, 0, 0);
+    Vec3 middle(0, 0, 0);
     for (const auto& c : s.triangles[t]) middle += s.positions[static_cast<std::size_t>(c.position)] / 3;
     return std::pair(static_cast<int>(middle[0] * 4), static_cast<int>(middle[1] * 4));
   };

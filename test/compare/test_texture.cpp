@@ -10,9 +10,6 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 constexpr double tiny = 1e-12;
 const double diagonal = std::sqrt(2.0);
 constexpr Part middle{0.25, 0.75, 0.25, 0.75, 4, 4};
@@ -24,14 +21,14 @@ CompareOptions few(std::size_t samples = 2000) {
 }
 
 /// The middle of the plane, its texture coordinates moved.
-TexturedTriangles shifted(const Vec2d& by) {
-  return plane(middle, [&](const Vec3d& p, const Vec3d&) { return Vec2d(p[0] / 4, p[1] / 4) + by; });
+TexturedTriangles shifted(const Vec2& by) {
+  return plane(middle, [&](const Vec3& p, const Vec3&) { return Vec2(p[0] / 4, p[1] / 4) + by; });
 }
 
 /// The square in two charts, cut at x = 1/2, the right one moved by `right` in its texture coordinates.
-TexturedTriangles two_charts(const Part& part, const Vec2d& right) {
-  return plane(part, [&](const Vec3d& p, const Vec3d& centroid) {
-    return Vec2d(p[0], p[1]) + (centroid[0] > 0.5 ? right : Vec2d(0, 0));
+TexturedTriangles two_charts(const Part& part, const Vec2& right) {
+  return plane(part, [&](const Vec3& p, const Vec3& centroid) {
+    return Vec2(p[0], p[1]) + (centroid[0] > 0.5 ? right : Vec2(0, 0));
   });
 }
 
@@ -58,8 +55,7 @@ TEST(CompareTexture, DeviationOfShiftedTextureCoordinates) {
 
 TEST(CompareTexture, DeviationOfScaledTextureCoordinates) {
   // uv(p) = (x/4 + x/40, y/4): |p - X(uv(p))| = x/10 for x in [1/4, 3/4].
-  const auto other =
-      plane(middle, [](const Vec3d& p, const Vec3d&) { return Vec2d(p[0] * 0.275, p[1] / 4); });
+  const auto other = plane(middle, [](const Vec3& p, const Vec3&) { return Vec2(p[0] * 0.275, p[1] / 4); });
   const auto d = compare_surfaces(plane(), other, few(20000)).texture->deviation;
   EXPECT_NEAR(d.mean, 0.05 / diagonal, 1e-4);
   EXPECT_NEAR(d.rms, 0.1 * std::sqrt(13.0 / 48) / diagonal, 1e-4);
@@ -85,15 +81,15 @@ TEST(CompareTexture, OfOverlappingChartsTheNearerPlaceCounts) {
 
 TEST(CompareTexture, ThePlacesDoNotDependOnWhereTheyAreLookedForFirst) {
   using comparison::TextureMap;
-  for (const Vec2d& right : {Vec2d(2, 0), Vec2d(-0.5, 0), Vec2d(-0.3, 0.1)}) {
+  for (const Vec2& right : {Vec2(2, 0), Vec2(-0.5, 0), Vec2(-0.3, 0.1)}) {
     const auto surface = two_charts({0, 1, 0, 1, 20, 20}, right);
     const TextureMap by_texture(surface, TextureMap::Search::texture),
         by_space(surface, TextureMap::Search::space);
     std::vector<spatial::Nearby> buffer;
     for (int i = 0; i < 50; ++i)
       for (int j = 0; j < 50; ++j) {
-        const Vec2d uv(-0.3 + 0.033 * i, -0.2 + 0.029 * j);
-        const Vec3d near(0.02 * j, 0.02 * i, 0.1);
+        const Vec2 uv(-0.3 + 0.033 * i, -0.2 + 0.029 * j);
+        const Vec3 near(0.02 * j, 0.02 * i, 0.1);
         const auto a = by_texture(uv, near, buffer), b = by_space(uv, near, buffer);
         EXPECT_EQ(a.triangle, b.triangle);
         EXPECT_EQ(a.position, b.position);

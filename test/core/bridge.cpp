@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "multimesh/algorithms/make_mesh.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 #include "oracle/random_solid_trees.hpp"
 
 namespace multimesh::test {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "multimesh/algorithms/make_mesh.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 
 namespace multimesh::test {
 

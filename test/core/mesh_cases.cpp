@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "multimesh/algorithms/make_mesh.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 #include "test/core/bridge.hpp"
 #include "test/support/solids.hpp"
 

@@ -5,8 +5,8 @@
 #include <random>
 #include <set>
 
-#include "multimesh/algorithms/make_mesh.hpp"
 #include "multimesh/cut.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
 #include "test/support/solids.hpp"

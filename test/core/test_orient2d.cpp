@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "multimesh/orient2d.hpp"
+#include "multimesh/geometry/orient2d.hpp"
 
 namespace multimesh {
 namespace {

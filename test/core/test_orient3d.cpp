@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "multimesh/orient3d.hpp"
+#include "multimesh/geometry/orient3d.hpp"
 #include "oracle/big_integer.hpp"
 
 namespace multimesh {

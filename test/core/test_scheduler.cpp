@@ -88,7 +88,7 @@ TEST(PriorityScheduler, InsertsUntilNothingIsTooLong) {
 struct Swapping : Scheduled {
   using Scheduled::Scheduled;
   static double angle(const Point3& at, const Point3& x, const Point3& y) {
-    return std::acos(std::clamp(((x - at) | (y - at)) / ((x - at).norm() * (y - at).norm()), -1.0, 1.0));
+    return std::acos(std::clamp(dot(x - at, y - at) / ((x - at).norm() * (y - at).norm()), -1.0, 1.0));
   }
   std::optional<double> cost(Dart e) const {
     const Dart beyond = root_.switch_dart(e, 2);

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "multimesh/algorithms/tet_domain.hpp"
+#include "multimesh/domains/tet_domain.hpp"
 
 namespace multimesh::test {
 

@@ -10,7 +10,7 @@
 #include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/simplex_writer.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
-#include "multimesh/algorithms/joined_mesh.hpp"
+#include "multimesh/domains/joined_mesh.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "multimesh/algorithms/tet_domain.hpp"
+#include "multimesh/domains/tet_domain.hpp"
 
 namespace multimesh::test {
 

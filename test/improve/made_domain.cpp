@@ -10,7 +10,7 @@
 
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/algorithms/improvement/amips.hpp"
-#include "multimesh/orient3d.hpp"
+#include "multimesh/geometry/orient3d.hpp"
 #include "multimesh/validate.hpp"
 #include "test/support/topology.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "multimesh/algorithms/tet_domain.hpp"
+#include "multimesh/domains/tet_domain.hpp"
 
 namespace multimesh::test {
 

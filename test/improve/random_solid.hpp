@@ -5,7 +5,7 @@
 #include <random>
 #include <utility>
 
-#include "multimesh/algorithms/tet_domain.hpp"
+#include "multimesh/domains/tet_domain.hpp"
 
 namespace multimesh::test {
 

@@ -9,7 +9,7 @@
 
 #include "multimesh/algorithms/improvement/amips.hpp"
 #include "multimesh/algorithms/improvement/workspace.hpp"
-#include "multimesh/orient3d.hpp"
+#include "multimesh/geometry/orient3d.hpp"
 #include "multimesh/permutation.hpp"
 
 namespace multimesh::improvement {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "multimesh/algorithms/improve.hpp"
-#include "multimesh/orient3d.hpp"
+#include "multimesh/geometry/orient3d.hpp"
 #include "test/improve/made_domain.hpp"
 
 namespace multimesh {

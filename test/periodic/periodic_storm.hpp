@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "multimesh/algorithms/periodic.hpp"
+#include "multimesh/domains/periodic_domain.hpp"
 
 namespace multimesh::test {
 

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <random>
 
-#include "multimesh/algorithms/periodic.hpp"
+#include "multimesh/domains/periodic_domain.hpp"
 
 namespace multimesh::test {
 

@@ -5,8 +5,8 @@
 #include <random>
 #include <set>
 
-#include "multimesh/algorithms/periodic/quotient_edges.hpp"
-#include "multimesh/algorithms/periodic/refine_tile.hpp"
+#include "multimesh/domains/periodic_domain/quotient_edges.hpp"
+#include "multimesh/domains/periodic_domain/refine_tile.hpp"
 #include "multimesh/validate.hpp"
 #include "test/periodic/betti.hpp"
 #include "test/periodic/tiles.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "multimesh/algorithms/periodic.hpp"
+#include "multimesh/domains/periodic_domain.hpp"
 
 namespace multimesh::test {
 

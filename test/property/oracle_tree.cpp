@@ -5,8 +5,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "multimesh/algorithms/make_mesh.hpp"
 #include "multimesh/build.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 #include "multimesh/permutation.hpp"
 #include "oracle/image.hpp"
 #include "oracle/orientation.hpp"

@@ -7,8 +7,6 @@
 
 namespace multimesh::test {
 
-using OpenMesh::Vec3d;
-
 namespace {
 
 using Ring = std::vector<int>;

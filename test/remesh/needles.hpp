@@ -4,7 +4,7 @@
 #include <ostream>
 #include <string>
 
-#include "multimesh/algorithms/textured_triangles.hpp"
+#include "multimesh/domains/textured_triangles.hpp"
 
 namespace multimesh::test {
 

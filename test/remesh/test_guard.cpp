@@ -14,7 +14,6 @@ namespace multimesh::test {
 namespace {
 
 using namespace remeshing;
-using OpenMesh::Vec3d;
 
 /// A pyramid over a square: the tip, vertex 0, is 1 high.
 class Pyramid : public testing::Test {
@@ -33,8 +32,8 @@ class Pyramid : public testing::Test {
   const Coordinates& positions() const { return surface_->positions(); }
 
   Tree tree_;
-  std::vector<Vec3d> at_;
-  VertexAttribute<Vec3d> positions_;
+  std::vector<Vec3> at_;
+  VertexAttribute<Vec3> positions_;
   Embedding embedding_;
   std::unique_ptr<EmbeddedMesh> surface_;
   DartBuffer star_;
@@ -46,7 +45,7 @@ TEST_F(Pyramid, TheTipMayNotGoFarFromWhereItWas) {
   const Reference input(*surface_, strata, patch, line);
   DistanceGuard guard(root(), positions(), input, 0.2, 0.5);
   const auto settles = [&](double height) {
-    const Vec3d was = at_[0];
+    const Vec3 was = at_[0];
     at_[0][2] = height;
     guard.take(star_);
     const bool good = guard.settle(star_);
@@ -66,12 +65,12 @@ TEST_F(Pyramid, PlacesAreOnThePatchThatLooksTheSameWay) {
   const Reference input(*surface_, strata, patch, line);
   const auto above = input.on_patch(patch[0], {0, 0, 3}, {0, 0, 1}, 0.1);
   ASSERT_TRUE(above);
-  EXPECT_NEAR((above->position - Vec3d(0, 0, 1)).norm(), 0, 1e-12);
+  EXPECT_NEAR((above->position - Vec3(0, 0, 1)).norm(), 0, 1e-12);
   EXPECT_FALSE(input.on_patch(patch[0], {0, 0, 3}, {0, 0, -1}, 3));
   EXPECT_FALSE(input.on_patch(patch[0] + 1, {0, 0, 3}, {0, 0, 1}, 0.1));
   const auto rim = input.on_line(1, {0, 3, 1}, 9);  // the boundary is the only line
   ASSERT_TRUE(rim);
-  EXPECT_NEAR((rim->position - Vec3d(0, 1, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((rim->position - Vec3(0, 1, 0)).norm(), 0, 1e-12);
   EXPECT_FALSE(input.on_line(2, {0, 3, 1}, 9));
   EXPECT_TRUE(input.has_within({0, 0, 1.1}, 0.11));
   EXPECT_FALSE(input.has_within({0, 0, 1.1}, 0.05));

@@ -20,9 +20,6 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 /// Components of a graph given by its edges.
 std::size_t components(const std::set<std::array<int, 2>>& edges) {
   std::map<int, int> above;
@@ -148,7 +145,7 @@ TexturedTriangles pinched_balls(unsigned seed, std::size_t points) {
     const int v = int(random() % unsigned(n));
     shared.emplace(v, v);
   }
-  for (Vec3d p : ball.positions) out.positions.push_back(p * 1.5);
+  for (Vec3 p : ball.positions) out.positions.push_back(p * 1.5);
   for (auto t : ball.triangles) {
     for (auto& c : t) c.position = shared.contains(c.position) ? c.position : c.position + n;
     out.triangles.push_back(t);
@@ -228,11 +225,11 @@ TexturedTriangles charts_that_touch(unsigned seed, std::size_t charts, unsigned 
   for (auto& c : chart) c = random() % charts;
   std::vector<bool> open;
   for (std::size_t v = 0; v < out.positions.size(); ++v) open.push_back(random() % 10 < open_in_ten);
-  add_texture(out, [&](std::size_t t, const Vec3d& p) {
+  add_texture(out, [&](std::size_t t, const Vec3& p) {
     const auto v = std::find(out.positions.begin(), out.positions.end(), p) - out.positions.begin();
-    const Vec2d flat(std::atan2(p[1], p[0]) + 0.1 * p[2], p[2]);
+    const Vec2 flat(std::atan2(p[1], p[0]) + 0.1 * p[2], p[2]);
     const double step = open[std::size_t(v)] ? 1e-3 * double(chart[t] + 1) : 0;
-    return flat + Vec2d(step, -step);
+    return flat + Vec2(step, -step);
   });
   return out;
 }
@@ -253,7 +250,7 @@ TEST(JoinedSurface, SeamsWithEqualSidesAreCounted) {
   TexturedSurface surface(two_charts().input);
   EXPECT_EQ(topology_of(surface).closed_seams, 0U);
   const SurfaceTopology before = topology_of(surface);
-  for (Vec2d& p : surface.texcoords()) p = Vec2d(0, 0);
+  for (Vec2& p : surface.texcoords()) p = Vec2(0, 0);
   EXPECT_GT(topology_of(surface).closed_seams, 0U);
   EXPECT_EQ(differences(before, topology_of(surface)).size(), 1U);
 }
@@ -287,7 +284,7 @@ __extension__ using Exact = __float128;  // products of differences of doubles n
 
 int side(const TexturedTriangles& s, std::size_t t) {
   const auto at = [&](std::size_t i) { return s.texcoords[std::size_t(s.triangles[t][i].texcoord)]; };
-  const Vec2d a = at(0), b = at(1), c = at(2);
+  const Vec2 a = at(0), b = at(1), c = at(2);
   const Exact left = (Exact(b[0]) - a[0]) * (Exact(c[1]) - a[1]),
               right = (Exact(b[1]) - a[1]) * (Exact(c[0]) - a[0]);
   return (left > right) - (left < right);
@@ -298,8 +295,8 @@ TEST(ThinTexture, NoTriangleTurnsOver) {
   for (const double width : {1e-3, 1e-10, 1e-15, 3e-16, 1e-16})
     for (const double length : {0.3, 0.9, 2.5}) {
       TexturedTriangles in = bare(grid(12, 12));
-      add_texture(in, [&](std::size_t, const Vec3d& p) {
-        return Vec2d(0.3 + p[0] / 37 - width * p[1] / 3, 0.1 + p[0] / 53 + width * p[1]);
+      add_texture(in, [&](std::size_t, const Vec3& p) {
+        return Vec2(0.3 + p[0] / 37 - width * p[1] / 3, 0.1 + p[0] / 53 + width * p[1]);
       });
       TexturedSurface surface(in);
       SurfaceRemeshOptions options;

@@ -2,8 +2,8 @@
 // The numbers of lines, which operations hand on from edge to edge, say at the end what the maps say.
 #include <gtest/gtest.h>
 
-#include "multimesh/algorithms/attached_embedding.hpp"
 #include "multimesh/algorithms/remeshing/remesher.hpp"
+#include "multimesh/domains/attached_embedding.hpp"
 #include "test/openmesh_tools/textured_torus.hpp"
 
 namespace multimesh::test {

@@ -8,14 +8,12 @@
 #include <numbers>
 #include <numeric>
 
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 #include "test/remesh/needles.hpp"
 
 namespace multimesh::test {
 namespace {
-
-using OpenMesh::Vec3d;
 
 /// Counted from the triangles alone.
 struct Counted {
@@ -25,9 +23,9 @@ struct Counted {
   double area = 0;
 };
 
-bool has_small_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const Vec3d u = (b - a).normalized(), v = (c - b).normalized(), w = (a - c).normalized();
-  return std::max({-(u | w), -(v | u), -(w | v)}) > std::cos(25 * std::numbers::pi / 180);
+bool has_small_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = (b - a).normalized(), v = (c - b).normalized(), w = (a - c).normalized();
+  return std::max({-dot(u, w), -dot(v, u), -dot(w, v)}) > std::cos(25 * std::numbers::pi / 180);
 }
 
 Counted count(const TexturedTriangles& s, double length) {

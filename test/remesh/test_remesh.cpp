@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "multimesh/algorithms/bounding_box.hpp"
 #include "multimesh/algorithms/compare.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 #include "multimesh/validate.hpp"
 #include "test/algorithms/judge.hpp"
 #include "test/algorithms/rich_surface.hpp"
@@ -17,8 +17,6 @@
 namespace multimesh::test {
 namespace {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
 using Problems = std::vector<std::string>;
 
 double mean_length(const TexturedTriangles& s) {
@@ -73,7 +71,7 @@ TEST_P(RemeshMade, TextureCoordinatesAreThoseOfTheInputThere) {
     const std::size_t chart = made.chart[r.source[t]];
     if (chart == no_texture) continue;
     for (const auto& c : r.triangles.triangles[t]) {
-      const Vec2d should = made.maps[chart](r.triangles.positions[std::size_t(c.position)]);
+      const Vec2 should = made.maps[chart](r.triangles.positions[std::size_t(c.position)]);
       worst = std::max(worst, (r.triangles.texcoords[std::size_t(c.texcoord)] - should).norm());
     }
   }
@@ -136,7 +134,7 @@ TEST(RemeshSeams, StayAsTheyAreIfLocked) {
     for (Index e = 0; e < curves.capacity(1); ++e) {
       if (!curves.is_live(1, e)) continue;
       const Dart d = s.tree().to_root(*s.seams(), curves.dart_of(1, e));
-      Vec3d p = s.positions()[root.vertex(d)], q = s.positions()[root.vertex(root.reorder(d, exchange_ends))];
+      Vec3 p = s.positions()[root.vertex(d)], q = s.positions()[root.vertex(root.reorder(d, exchange_ends))];
       if (q < p) std::swap(p, q);
       list.push_back({p[0], p[1], p[2], q[0], q[1], q[2]});
     }
@@ -156,10 +154,10 @@ TEST(RemeshCurves, KeepSharpEdgesAndCorners) {
   EXPECT_GT(double(r.result.edges_in_range),
             0.8 * double(r.result.edges));  // a grid's symmetry stays for long
   std::size_t corners = 0, on_edges = 0;
-  for (const Vec3d& p : r.triangles.positions) {
+  for (const Vec3& p : r.triangles.positions) {
     int sides = 0;
     for (const double x : p) sides += std::abs(x) < 1e-12 || std::abs(x - 4) < 1e-12;
-    EXPECT_GE(sides, 1) << p;  // on the cube
+    EXPECT_GE(sides, 1) << testing::PrintToString(p);  // on the cube
     corners += sides == 3;
     on_edges += sides == 2;
   }
@@ -205,10 +203,10 @@ TEST(Remesh, RefusesWhatMakesNoSense) {
 
 TEST(Remesh, KeepsSeveralTexturesAndColors) {
   TexturedTriangles in = waves();
-  add_uv_set(in, [&](std::size_t t, const Vec3d& p) {
-    return Vec2d(p[1], centroid(in, t)[0] < 2 ? p[0] : p[0] + 50);
+  add_uv_set(in, [&](std::size_t t, const Vec3& p) {
+    return Vec2(p[1], centroid(in, t)[0] < 2 ? p[0] : p[0] + 50);
   });
-  for (const Vec3d& p : in.positions) in.colors.emplace_back(0.01 * p[0], 0.01 * p[1], 0.5);
+  for (const Vec3& p : in.positions) in.colors.emplace_back(0.01 * p[0], 0.01 * p[1], 0.5);
   TexturedSurface surface(in);
   SurfaceRemeshOptions options;
   options.length = 0.7 * mean_length(in);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "multimesh/algorithms/attached_embedding.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/domains/attached_embedding.hpp"
 #include "multimesh/validate.hpp"
 #include "test/openmesh_tools/textured_torus.hpp"
 

@@ -2,7 +2,7 @@
 // Where vertices may go, by the maps of a tree.
 #include <gtest/gtest.h>
 
-#include "multimesh/algorithms/tree_strata.hpp"
+#include "multimesh/tree_strata.hpp"
 #include "test/support/trees.hpp"
 
 namespace multimesh::test {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::test {
 
-using Point3 = OpenMesh::Vec3d;
+using Point3 = Vec3;
 
 }  // namespace multimesh::test

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multimesh/algorithms/make_mesh.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 #include "test/support/random_tags.hpp"
 #include "test/support/solids.hpp"
 #include "test/support/trees.hpp"

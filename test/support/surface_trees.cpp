@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "multimesh/algorithms/make_mesh.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 #include "test/support/random_tags.hpp"
 #include "test/support/trees.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "adapters/openmesh/connectivity.hpp"
 #include "adapters/tet/tet_mesh.hpp"
-#include "multimesh/algorithms/make_mesh.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 
 namespace multimesh::test {
 

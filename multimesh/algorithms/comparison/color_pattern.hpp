@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <cmath>
 #include <numbers>
+
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::comparison {
 
@@ -13,12 +14,12 @@ namespace multimesh::comparison {
 /// frames; 3 and 16 waves per diagonal. Over the three channels no direction counts more than another: a
 /// small shift by s changes a channel by 2 pi sqrt((3^2 + 16^2) / 96) s = 10.4 s in the root mean square,
 /// whatever its direction.
-inline OpenMesh::Vec3d color_pattern(const OpenMesh::Vec3d& x) {
+inline Vec3 color_pattern(const Vec3& x) {
   constexpr double turn = 2 * std::numbers::pi;
-  const auto wave = [&](double count, const OpenMesh::Vec3d& along) {
+  const auto wave = [&](double count, const Vec3& along) {
     return std::sin(turn * count * dot(along, x) / 3) / 4;
   };
-  using V = OpenMesh::Vec3d;  // three times the axes
+  using V = Vec3;  // three times the axes
   return V(0.5 + wave(3, V(2, -2, 1)) + wave(16, V(1, 2, 2)),
            0.5 + wave(3, V(2, 1, -2)) + wave(16, V(-2, 2, -1)),
            0.5 + wave(3, V(1, 2, 2)) + wave(16, V(2, 1, -2)));

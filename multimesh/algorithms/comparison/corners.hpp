@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "multimesh/algorithms/textured_surface.hpp"
-#include "multimesh/algorithms/to_point.hpp"
+#include "multimesh/domains/textured_surface.hpp"
+#include "multimesh/geometry/closest_point.hpp"
 
 namespace multimesh::comparison {
 
@@ -16,28 +16,24 @@ inline bool is_textured(const Corners& t) {
   return std::all_of(t.begin(), t.end(), [](const auto& c) { return c.texcoord >= 0; });
 }
 
-inline const OpenMesh::Vec3d& position(const TexturedTriangles& s, const TexturedTriangles::Corner& c) {
+inline const Vec3& position(const TexturedTriangles& s, const TexturedTriangles::Corner& c) {
   return s.positions[static_cast<std::size_t>(c.position)];
 }
-inline const OpenMesh::Vec2d& texcoord(const TexturedTriangles& s, const TexturedTriangles::Corner& c) {
+inline const Vec2& texcoord(const TexturedTriangles& s, const TexturedTriangles::Corner& c) {
   return s.texcoords[static_cast<std::size_t>(c.texcoord)];
 }
 
 inline spatial::Triangle in_space(const TexturedTriangles& s, const Corners& t) {
-  return {to_point(position(s, t[0])), to_point(position(s, t[1])), to_point(position(s, t[2]))};
+  return {position(s, t[0]), position(s, t[1]), position(s, t[2])};
 }
 /// \pre is_textured(t)
 inline spatial::Triangle in_texture(const TexturedTriangles& s, const Corners& t) {
-  return {to_point(texcoord(s, t[0])), to_point(texcoord(s, t[1])), to_point(texcoord(s, t[2]))};
+  return {in_space(texcoord(s, t[0])), in_space(texcoord(s, t[1])), in_space(texcoord(s, t[2]))};
 }
 
 /// Signed, of a triangle of the UV plane.
 inline double signed_area(const spatial::Triangle& t) {
   return ((t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[2][0] - t[0][0]) * (t[1][1] - t[0][1])) / 2;
-}
-
-inline OpenMesh::Vec3d vec(const spatial::Point& p) {
-  return {p[0], p[1], p[2]};
 }
 
 }  // namespace multimesh::comparison

@@ -7,8 +7,6 @@
 
 namespace multimesh::comparison {
 
-using OpenMesh::Vec3d;
-
 spatial::TriangleTree tree_in_space(const TexturedTriangles& surface) {
   std::vector<spatial::Triangle> triangles;
   triangles.reserve(surface.triangles.size());
@@ -16,22 +14,22 @@ spatial::TriangleTree tree_in_space(const TexturedTriangles& surface) {
   return spatial::TriangleTree(std::move(triangles));
 }
 
-std::vector<Vec3d> points(const TexturedTriangles& surface, const std::vector<Sample>& samples) {
-  std::vector<Vec3d> all;
+std::vector<Vec3> points(const TexturedTriangles& surface, const std::vector<Sample>& samples) {
+  std::vector<Vec3> all;
   all.reserve(samples.size());
   for (const Sample& s : samples)
-    all.push_back(vec(spatial::at(in_space(surface, surface.triangles[s.triangle]), s.barycentric)));
+    all.push_back(spatial::at(in_space(surface, surface.triangles[s.triangle]), s.barycentric));
   return all;
 }
 
-std::vector<spatial::Nearby> closest(const spatial::TriangleTree& surface, const std::vector<Vec3d>& points,
+std::vector<spatial::Nearby> closest(const spatial::TriangleTree& surface, const std::vector<Vec3>& points,
                                      unsigned threads) {
   std::vector<spatial::Nearby> all(points.size());
   for_each_block(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     Index last = 0;
     for (std::size_t i = begin; i < end; ++i) {
       // The closest triangle of the point before bounds the search, with room for roundings.
-      const spatial::Point p = to_point(points[i]);
+      const Vec3& p = points[i];
       const double bound = std::sqrt(spatial::closest_point(p, surface.triangles()[last]).squared_distance);
       all[i] = *surface.nearest(p, bound * (1 + 1e-12) + std::numeric_limits<double>::min());
       last = all[i].facet;

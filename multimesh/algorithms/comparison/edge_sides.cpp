@@ -29,7 +29,7 @@ bool EdgeSides::same_texture(const EdgeSide& a, const EdgeSide& b) const {
 std::vector<SeamEdge> seam_edges(const TexturedTriangles& surface, const EdgeSides& sides) {
   std::vector<SeamEdge> seams;
   const auto ends = [&](const EdgeSide& s) {
-    return std::array<OpenMesh::Vec2d, 2>{texcoord(surface, s.low), texcoord(surface, s.high)};
+    return std::array<Vec2, 2>{texcoord(surface, s.low), texcoord(surface, s.high)};
   };
   sides.for_each_edge([&](std::span<const EdgeSide> at) {
     if (at.size() != 2 || sides.same_texture(at[0], at[1])) return;

@@ -41,9 +41,9 @@ class EdgeSides {
 
 /// The points of the texture on both sides of an edge of the surface's interior, at both ends.
 struct SeamEdge {
-  std::array<OpenMesh::Vec3d, 2> position;
+  std::array<Vec3, 2> position;
   std::array<Index, 2> triangle;  ///< on the left, on the right
-  std::array<OpenMesh::Vec2d, 2> left, right;
+  std::array<Vec2, 2> left, right;
 };
 
 /// Edges with two textured sides that differ.

@@ -14,7 +14,7 @@ double uniform(std::mt19937_64& engine) {
 }
 
 double area(const TexturedTriangles& s, const Corners& t) {
-  const OpenMesh::Vec3d& a = position(s, t[0]);
+  const Vec3& a = position(s, t[0]);
   return cross(position(s, t[1]) - a, position(s, t[2]) - a).norm() / 2;
 }
 

@@ -15,8 +15,8 @@ std::vector<TexturedPoint> textured_points(const TexturedTriangles& surface,
   for (const Sample& s : samples) {
     const Corners& t = surface.triangles[s.triangle];
     if (!is_textured(t)) continue;
-    const OpenMesh::Vec3d uv = vec(spatial::at(in_texture(surface, t), s.barycentric));
-    points.push_back({vec(spatial::at(in_space(surface, t), s.barycentric)), {uv[0], uv[1]}, s.triangle});
+    const Vec3 uv = spatial::at(in_texture(surface, t), s.barycentric);
+    points.push_back({spatial::at(in_space(surface, t), s.barycentric), {uv[0], uv[1]}, s.triangle});
   }
   return points;
 }
@@ -42,7 +42,7 @@ SeamPoints sample_seams(const std::vector<SeamEdge>& seams, std::size_t count) {
     const double length = (s.position[1] - s.position[0]).norm();
     for (; next < length; next += step) {
       const double t = next / length;
-      const OpenMesh::Vec3d p = s.position[0] * (1 - t) + s.position[1] * t;
+      const Vec3 p = s.position[0] * (1 - t) + s.position[1] * t;
       points.left.push_back({p, s.left[0] * (1 - t) + s.left[1] * t, s.triangle[0]});
       points.right.push_back({p, s.right[0] * (1 - t) + s.right[1] * t, s.triangle[1]});
     }
@@ -96,7 +96,7 @@ std::size_t ChartPairs::move_into_charts(const TextureMap& map, const std::vecto
       const bool elsewhere = own != no_index && original_[places[i].triangle] != own;
       const TextureMap::Place place = elsewhere ? *map.within(p.uv, original_, own) : places[i];
       outside += place.uv_distance > map.rounding();
-      if ((place.position - p.position).sqrnorm() < (places[i].position - p.position).sqrnorm())
+      if ((place.position - p.position).squared_norm() < (places[i].position - p.position).squared_norm())
         places[i] = place;
     }
   });

@@ -11,8 +11,8 @@ namespace multimesh::comparison {
 
 /// A textured point of the other surface.
 struct TexturedPoint {
-  OpenMesh::Vec3d position;
-  OpenMesh::Vec2d uv;
+  Vec3 position;
+  Vec2 uv;
   Index triangle = no_index;  ///< that it is a point of
 };
 

@@ -4,12 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "multimesh/algorithms/bounding_box.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 
 namespace multimesh::comparison {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
 using spatial::Nearby;
 using spatial::PointOnTriangle;
 using spatial::Triangle;
@@ -34,10 +32,10 @@ TriangleTree tree_over(const TexturedTriangles& surface, const std::vector<Index
 }
 
 double bounding_diagonal(const std::vector<Triangle>& triangles) {
-  std::vector<Vec3d> points;
+  std::vector<Vec3> points;
   points.reserve(3 * triangles.size());
   for (const Triangle& t : triangles)
-    for (const auto& p : t) points.push_back(vec(p));
+    for (const auto& p : t) points.push_back(p);
   return bounding_box_diagonal(points);
 }
 
@@ -69,10 +67,10 @@ bool TextureMap::is_stacked() const {
 
 TextureMap::Place TextureMap::place(const Nearby& found, double uv_distance) const {
   const Index t = textured_[found.facet];
-  return {vec(spatial::at(in_space(surface_, surface_.triangles[t]), found.barycentric)), t, uv_distance};
+  return {spatial::at(in_space(surface_, surface_.triangles[t]), found.barycentric), t, uv_distance};
 }
 
-TextureMap::Place TextureMap::search_texture(const spatial::Point& uv, const Vec3d& near,
+TextureMap::Place TextureMap::search_texture(const Vec3& uv, const Vec3& near,
                                              std::vector<Nearby>& buffer) const {
   const double outside = std::sqrt(in_texture_.nearest(uv)->squared_distance);
   in_texture_.within(uv, outside <= touching() ? touching() : outside + touching(), buffer);
@@ -80,7 +78,7 @@ TextureMap::Place TextureMap::search_texture(const spatial::Point& uv, const Vec
   double least = std::numeric_limits<double>::infinity();
   for (const Nearby& candidate : buffer) {
     const Place found = place(candidate, outside);
-    if (const double d = (found.position - near).sqrnorm(); d < least) {
+    if (const double d = (found.position - near).squared_norm(); d < least) {
       least = d;
       best = found;
     }
@@ -88,24 +86,24 @@ TextureMap::Place TextureMap::search_texture(const spatial::Point& uv, const Vec
   return best;
 }
 
-TextureMap::Place TextureMap::operator()(const Vec2d& uv, const Vec3d& near,
+TextureMap::Place TextureMap::operator()(const Vec2& uv, const Vec3& near,
                                          std::vector<Nearby>& buffer) const {
-  const spatial::Point p = to_point(uv);
+  const Vec3 p = in_space(uv);
   if (!in_space_) return search_texture(p, near, buffer);
   const double limit = touching() * touching();
   const auto choose = [&](Index facet) -> std::optional<PointOnTriangle> {
     const PointOnTriangle q = spatial::closest_point(p, in_texture_.triangles()[facet]);
     if (q.squared_distance > limit) return std::nullopt;
-    const Vec3d x = vec(spatial::at(in_space_->triangles()[facet], q.barycentric));
-    return PointOnTriangle{q.barycentric, (x - near).sqrnorm()};
+    const Vec3 x = spatial::at(in_space_->triangles()[facet], q.barycentric);
+    return PointOnTriangle{q.barycentric, (x - near).squared_norm()};
   };
-  if (const auto found = in_space_->nearest_chosen(to_point(near), choose)) return place(*found, 0);
+  if (const auto found = in_space_->nearest_chosen(near, choose)) return place(*found, 0);
   return search_texture(p, near, buffer);
 }
 
-std::optional<TextureMap::Place> TextureMap::within(const Vec2d& uv, const std::vector<Index>& part,
+std::optional<TextureMap::Place> TextureMap::within(const Vec2& uv, const std::vector<Index>& part,
                                                     Index which) const {
-  const spatial::Point p = to_point(uv);
+  const Vec3 p = in_space(uv);
   const auto choose = [&](Index facet) -> std::optional<PointOnTriangle> {
     if (part[textured_[facet]] != which) return std::nullopt;
     return spatial::closest_point(p, in_texture_.triangles()[facet]);

@@ -17,18 +17,17 @@ class TextureMap {
   explicit TextureMap(const TexturedTriangles& surface, Search search = Search::automatic);
 
   struct Place {
-    OpenMesh::Vec3d position;
+    Vec3 position;
     Index triangle = no_index;  ///< of the surface
     double uv_distance = 0;     ///< from the point asked for to the texture, roughly if below `touching`
   };
   /// X(uv). Outside of the texture its nearest point counts. Where charts overlap, or lie closer than
   /// `touching`, that one of the places that is nearest to `near`. `buffer` is working memory.
-  Place operator()(const OpenMesh::Vec2d& uv, const OpenMesh::Vec3d& near,
-                   std::vector<spatial::Nearby>& buffer) const;
+  Place operator()(const Vec2& uv, const Vec3& near, std::vector<spatial::Nearby>& buffer) const;
 
   /// X(uv) by the triangles with `part[triangle] == which` alone: by that one of them that is nearest in the
   /// texture. None if there are none. `part`: per triangle of the surface.
-  std::optional<Place> within(const OpenMesh::Vec2d& uv, const std::vector<Index>& part, Index which) const;
+  std::optional<Place> within(const Vec2& uv, const std::vector<Index>& part, Index which) const;
 
   double diagonal() const { return diagonal_; }         ///< of the bounding box in the UV plane
   double touching() const { return 2e-5 * diagonal_; }  ///< in UV: a fraction of a texel
@@ -37,8 +36,7 @@ class TextureMap {
  private:
   bool is_stacked() const;
   Place place(const spatial::Nearby& found, double uv_distance) const;
-  Place search_texture(const spatial::Point& uv, const OpenMesh::Vec3d& near,
-                       std::vector<spatial::Nearby>& buffer) const;
+  Place search_texture(const Vec3& uv, const Vec3& near, std::vector<spatial::Nearby>& buffer) const;
 
   const TexturedTriangles& surface_;
   std::vector<Index> textured_;  // the triangles in the trees

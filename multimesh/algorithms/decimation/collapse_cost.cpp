@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "multimesh/algorithms/bounding_box.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 
 namespace multimesh::decimation {
 
@@ -30,13 +30,13 @@ double power_of_two_near(double length) {
 
 /// The metric of one triangle, the same at each corner.
 struct CollapseCost::Shape {
-  Vec3d normal;
-  double weight = 0;                   ///< a third of the area
-  std::array<Vec3d, max_sets> du, dv;  ///< derivatives of position by texture coordinates
+  Vec3 normal;
+  double weight = 0;                  ///< a third of the area
+  std::array<Vec3, max_sets> du, dv;  ///< derivatives of position by texture coordinates
   std::array<bool, max_sets> has_texture{};
 
   Shape(const SurfaceTriangle& t, std::size_t n_sets) {
-    const Vec3d e = t.positions[1] - t.positions[0], f = t.positions[2] - t.positions[0];
+    const Vec3 e = t.positions[1] - t.positions[0], f = t.positions[2] - t.positions[0];
     normal = cross(e, f);
     const double doubled_area = normal.norm();
     if (!(doubled_area > 0)) return;
@@ -45,10 +45,10 @@ struct CollapseCost::Shape {
     for (std::size_t k = 0; k < n_sets; ++k) {
       if (t.sets[k].facet == no_index) continue;
       const auto& s = t.sets[k].texcoords;
-      const Vec2d u = s[1] - s[0], v = s[2] - s[0];
+      const Vec2 u = s[1] - s[0], v = s[2] - s[0];
       const double determinant = u[0] * v[1] - u[1] * v[0];
       // A triangle without area in the texture says nothing about where its content belongs.
-      has_texture[k] = std::abs(determinant) > 1e-12 * std::max(u.sqrnorm(), v.sqrnorm());
+      has_texture[k] = std::abs(determinant) > 1e-12 * std::max(u.squared_norm(), v.squared_norm());
       if (!has_texture[k]) continue;
       du[k] = (e * v[1] - f * u[1]) / determinant;
       dv[k] = (f * u[0] - e * v[0]) / determinant;
@@ -59,11 +59,11 @@ struct CollapseCost::Shape {
 /// Edge i of a triangle, and the direction in its plane that is orthogonal to it.
 struct CollapseCost::Edge {
   double squared_length;
-  Vec3d across;
+  Vec3 across;
 
   Edge(const SurfaceTriangle& t, const Shape& shape, std::size_t i) {
-    const Vec3d along = t.positions[(i + 1) % 3] - t.positions[i];
-    squared_length = along.sqrnorm();
+    const Vec3 along = t.positions[(i + 1) % 3] - t.positions[i];
+    squared_length = along.squared_norm();
     if (squared_length > 0) across = cross(shape.normal, along) / std::sqrt(squared_length);
   }
 };
@@ -132,7 +132,7 @@ void CollapseCost::add(const SurfaceTriangle& t, double sign) {
   for (std::size_t k = 0; k < sets_.size(); ++k) {
     if (!shape.has_texture[k]) continue;
     across -= uv, along += uv;
-    const Vec3d &u = shape.du[k], &v = shape.dv[k];
+    const Vec3 &u = shape.du[k], &v = shape.dv[k];
     const TextureForm form{-uv * u[0], -uv * v[0],     -uv * u[1],     -uv * v[1],    -uv * u[2],
                            -uv * v[2], uv * dot(u, u), uv * dot(u, v), uv * dot(v, v)};
     for (const Index w : t.sets[k].vertices) sets_[k].forms[w].add(form, sign);
@@ -186,7 +186,7 @@ void CollapseCost::find_copies(Dart e, CollapsePlan& plan) const {
 }
 
 double CollapseCost::deviation(const CollapsePlan& plan) const {
-  const Vec3d from_a = plan.position - plan.at_a, from_b = plan.position - plan.at_b;
+  const Vec3 from_a = plan.position - plan.at_a, from_b = plan.position - plan.at_b;
   double sum = 0;
   if (!memory_.empty()) {
     const double u = memory_unit_.length;
@@ -200,7 +200,7 @@ double CollapseCost::deviation(const CollapsePlan& plan) const {
     if (plan.moves(End::b)) sum += sets_[c.set].forms[c.b](from_b, c.texcoord - texcoords[c.b]);
   }
   const double area = position_forms_[plan.a].trace() + position_forms_[plan.b].trace();
-  return std::max(sum, 0.0) + length_cost * area * (plan.at_b - plan.at_a).sqrnorm();
+  return std::max(sum, 0.0) + length_cost * area * (plan.at_b - plan.at_a).squared_norm();
 }
 
 void CollapseCost::start(Dart e, CollapsePlan& plan) const {
@@ -227,7 +227,8 @@ void CollapseCost::put_at(Dart e, double t, CollapsePlan& plan) const {
   };
   plan.position = between(positions_, plan.a, plan.b);
   for (CollapsePlan::Copy& c : plan.copies()) c.texcoord = between(sets_[c.set].texcoords, c.a, c.b);
-  plan.cost = options_.cost == DecimateCost::quadric ? deviation(plan) : (plan.at_a - plan.at_b).sqrnorm();
+  plan.cost =
+      options_.cost == DecimateCost::quadric ? deviation(plan) : (plan.at_a - plan.at_b).squared_norm();
 }
 
 std::optional<CollapsePlan> CollapseCost::plan(Dart e) const {
@@ -260,11 +261,11 @@ bool CollapseCost::plan(Dart e, CollapsePlan& plan) const {
 // x'Ax + 2 f.x + sum over copies (2 x'My + y'Sy + 2 g.y) and a constant. Texture coordinates are eliminated
 // copy by copy: the best ones are linear in x.
 void CollapseCost::minimize(CollapsePlan& plan) const {
-  const Vec3d half = (plan.at_b - plan.at_a) * 0.5;
+  const Vec3 half = (plan.at_b - plan.at_a) * 0.5;
   const PositionForm &form_a = position_forms_[plan.a], &form_b = position_forms_[plan.b];
   PositionForm A = form_a + form_b;
   const double area = A.trace(), pull = pull_to_middle * area;
-  Vec3d f = (form_a - form_b).times(half);
+  Vec3 f = (form_a - form_b).times(half);
   if (!memory_.empty()) {
     const PlanesForm &in_a = memory_[plan.a], &in_b = memory_[plan.b];
     const PositionForm quadratic_a = in_a.quadratic(), quadratic_b = in_b.quadratic();
@@ -276,23 +277,23 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
 
   struct Elimination {
     bool possible;
-    Vec3d u, v;  ///< y = (u.x, v.x) + constant
-    Vec2d constant;
+    Vec3 u, v;  ///< y = (u.x, v.x) + constant
+    Vec2 constant;
   };
   std::array<Elimination, 2 * max_sets> eliminations;
   for (std::size_t i = 0; i < plan.n_copies; ++i) {
     const CollapsePlan::Copy& copy = plan.copy_list[i];
     const auto& texcoords = sets_[copy.set].texcoords;
-    const Vec2d half_y = (texcoords[copy.b] - texcoords[copy.a]) * 0.5;
+    const Vec2 half_y = (texcoords[copy.b] - texcoords[copy.a]) * 0.5;
     const TextureForm &in_a = sets_[copy.set].forms[copy.a], &in_b = sets_[copy.set].forms[copy.b];
     const TextureForm sum = in_a + in_b, difference = in_a - in_b;
     f += difference.mixed(half_y);
-    const Vec2d g = difference.mixed(half) + difference.times(half_y);
+    const Vec2 g = difference.mixed(half) + difference.times(half_y);
     const double determinant = sum.uu * sum.vv - sum.uv * sum.uv, trace = sum.uu + sum.vv;
     Elimination& e = eliminations[i];
     e.possible = determinant > least_determinant * trace * trace;
     if (!e.possible) continue;
-    const Vec3d mu(sum.xu, sum.yu, sum.zu), mv(sum.xv, sum.yv, sum.zv);
+    const Vec3 mu(sum.xu, sum.yu, sum.zu), mv(sum.xv, sum.yv, sum.zv);
     const double inverse = 1 / determinant;
     e.u = (mv * sum.uv - mu * sum.vv) * inverse;
     e.v = (mu * sum.uv - mv * sum.uu) * inverse;
@@ -306,8 +307,8 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
     f += mu * e.constant[0] + mv * e.constant[1];
   }
 
-  const Vec3d x = minimum(A, f);
-  const double squared_half = half.sqrnorm();
+  const Vec3 x = minimum(A, f);
+  const double squared_half = half.squared_norm();
   // Off the ends, where the vertex would count as not moved.
   plan.t = std::clamp(0.5 + (squared_half > 0 ? 0.5 * dot(x, half) / squared_half : 0), 1e-3, 1 - 1e-3);
   plan.position = (plan.at_a + plan.at_b) * 0.5 + x;
@@ -316,7 +317,7 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
     const auto& texcoords = sets_[copy.set].texcoords;
     const Elimination& e = eliminations[i];
     copy.texcoord = e.possible ? (texcoords[copy.a] + texcoords[copy.b]) * 0.5 +
-                                     Vec2d(dot(e.u, x) + e.constant[0], dot(e.v, x) + e.constant[1])
+                                     Vec2(dot(e.u, x) + e.constant[0], dot(e.v, x) + e.constant[1])
                                : texcoords[copy.a] * (1 - plan.t) + texcoords[copy.b] * plan.t;
   }
   // Not from the solution, whose roundings can be far larger.

@@ -59,7 +59,7 @@ class CollapseCost {
   const Mesh& root_;
   Strata& strata_;
   const TriangleReader& reader_;
-  const std::vector<OpenMesh::Vec3d>& positions_;
+  const std::vector<Vec3>& positions_;
   std::vector<PositionForm> position_forms_;  ///< per vertex of the surface
   /// A power of two, so that it and its powers change no digit.
   struct Unit {
@@ -71,7 +71,7 @@ class CollapseCost {
   std::vector<PlanesForm> memory_;  ///< as the position forms; empty if its weight is 0
   struct Set {
     NodeId node;
-    const std::vector<OpenMesh::Vec2d>& texcoords;
+    const std::vector<Vec2>& texcoords;
     std::vector<TextureForm> forms;  ///< per vertex of the texture
     std::vector<Index> only_copy;    ///< per vertex of the surface: its one copy here, if it has just one
   };

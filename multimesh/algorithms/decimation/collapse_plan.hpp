@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <array>
 #include <span>
 
 #include "multimesh/dart.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::decimation {
 
@@ -18,16 +18,16 @@ struct CollapsePlan {
   struct Copy {
     std::size_t set;
     Index a, b;  ///< vertices of that texture
-    OpenMesh::Vec2d texcoord;
+    Vec2 texcoord;
   };
 
   Index a = no_index, b = no_index;  ///< vertices of the surface
-  OpenMesh::Vec3d at_a, at_b;        ///< where they are
+  Vec3 at_a, at_b;                   ///< where they are
   double cost = 0;                   ///< squared deviation, integrated: length^2 x area
   /// The merged vertex has the values of (1-t) a + t b, but for its position and texture coordinates, which
   /// are these:
   double t = 0.5;
-  OpenMesh::Vec3d position;
+  Vec3 position;
   std::array<Copy, 2 * max_sets> copy_list;  ///< an edge has at most two copies per set
   std::size_t n_copies = 0;
 

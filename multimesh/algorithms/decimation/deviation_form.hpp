@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::decimation {
-
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
 
 /// x'Ax, x a displacement in space. Unit: area.
 struct PositionForm {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 
   /// weight (n.x)^2
-  static PositionForm plane(const Vec3d& n, double weight) {
-    const Vec3d m = n * weight;
+  static PositionForm plane(const Vec3& n, double weight) {
+    const Vec3 m = n * weight;
     return {m[0] * n[0], m[0] * n[1], m[0] * n[2], m[1] * n[1], m[1] * n[2], m[2] * n[2]};
   }
   /// weight |x|^2
@@ -34,16 +31,16 @@ struct PositionForm {
     difference.add(f, -1);
     return difference;
   }
-  Vec3d times(const Vec3d& x) const {
+  Vec3 times(const Vec3& x) const {
     return {xx * x[0] + xy * x[1] + xz * x[2], xy * x[0] + yy * x[1] + yz * x[2],
             xz * x[0] + yz * x[1] + zz * x[2]};
   }
-  double operator()(const Vec3d& x) const { return dot(x, times(x)); }
+  double operator()(const Vec3& x) const { return dot(x, times(x)); }
   double trace() const { return xx + yy + zz; }
 };
 
 /// The least point of x'Ax + 2 f.x; 0 if A is singular.
-inline Vec3d minimum(const PositionForm& a, const Vec3d& f) {
+inline Vec3 minimum(const PositionForm& a, const Vec3& f) {
   const double xx = a.yy * a.zz - a.yz * a.yz, xy = a.xz * a.yz - a.xy * a.zz, xz = a.xy * a.yz - a.xz * a.yy;
   const double yy = a.xx * a.zz - a.xz * a.xz, yz = a.xy * a.xz - a.xx * a.yz, zz = a.xx * a.yy - a.xy * a.xy;
   const double determinant = a.xx * xx + a.xy * xy + a.xz * xz, trace = a.trace();
@@ -72,16 +69,16 @@ struct TextureForm {
     return difference;
   }
   /// M y
-  Vec3d mixed(const Vec2d& y) const {
+  Vec3 mixed(const Vec2& y) const {
     return {xu * y[0] + xv * y[1], yu * y[0] + yv * y[1], zu * y[0] + zv * y[1]};
   }
   /// M' x
-  Vec2d mixed(const Vec3d& x) const {
+  Vec2 mixed(const Vec3& x) const {
     return {xu * x[0] + yu * x[1] + zu * x[2], xv * x[0] + yv * x[1] + zv * x[2]};
   }
   /// S y
-  Vec2d times(const Vec2d& y) const { return {uu * y[0] + uv * y[1], uv * y[0] + vv * y[1]}; }
-  double operator()(const Vec3d& x, const Vec2d& y) const { return 2 * dot(x, mixed(y)) + dot(y, times(y)); }
+  Vec2 times(const Vec2& y) const { return {uu * y[0] + uv * y[1], uv * y[0] + vv * y[1]}; }
+  double operator()(const Vec3& x, const Vec2& y) const { return 2 * dot(x, mixed(y)) + dot(y, times(y)); }
 };
 
 /// x'Ax + 2 b.x + c, x the displacement from a vertex: squared distances from planes that need not pass
@@ -89,17 +86,17 @@ struct TextureForm {
 /// where exactness does not matter.
 class PlanesForm {
  public:
-  void add_plane(const Vec3d& n, double weight) {
+  void add_plane(const Vec3& n, double weight) {
     const PositionForm f = PositionForm::plane(n, weight);
     add(f.xx, f.xy, f.xz, f.yy, f.yz, f.zz);
   }
   PositionForm quadratic() const { return {a_[0], a_[1], a_[2], a_[3], a_[4], a_[5]}; }
-  Vec3d linear() const { return {b_[0], b_[1], b_[2]}; }
-  double operator()(const Vec3d& x) const { return quadratic()(x) + 2 * dot(linear(), x) + c_; }
+  Vec3 linear() const { return {b_[0], b_[1], b_[2]}; }
+  double operator()(const Vec3& x) const { return quadratic()(x) + 2 * dot(linear(), x) + c_; }
 
   /// The same planes, seen from a vertex that has moved by x.
-  void move(const Vec3d& x) {
-    const Vec3d b = linear() + quadratic().times(x);
+  void move(const Vec3& x) {
+    const Vec3 b = linear() + quadratic().times(x);
     c_ = static_cast<float>((*this)(x));
     for (std::size_t i = 0; i < 3; ++i) b_[i] = static_cast<float>(b[i]);
   }

@@ -10,31 +10,20 @@ namespace multimesh::decimation {
 
 namespace {
 
-using spatial::Point;
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Point minus(const Point& p, const Point& q) {
-  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-}
-double dot(const Point& p, const Point& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-Point cross(const Point& p, const Point& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
 /// Of length 1; 0 stays 0.
-Point unit(const Point& p) {
-  const double length = std::sqrt(dot(p, p)), factor = length > 0 ? 1 / length : 0;
-  return {p[0] * factor, p[1] * factor, p[2] * factor};
+Vec3 unit(const Vec3& p) {
+  const double length = p.norm(), factor = length > 0 ? 1 / length : 0;
+  return p * factor;
 }
 
 }  // namespace
 
 NearTriangles::Entry NearTriangles::entry(Index name, const spatial::Triangle& t) {
   Entry e{name, t, {}, {}, false};
-  const std::array<Point, 3> edge{minus(t[1], t[0]), minus(t[2], t[1]), minus(t[0], t[2])};
-  const Point normal = cross(edge[0], edge[1]);
+  const std::array<Vec3, 3> edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+  const Vec3 normal = cross(edge[0], edge[1]);
   const double longest = std::max({dot(edge[0], edge[0]), dot(edge[1], edge[1]), dot(edge[2], edge[2])});
   e.is_fat = dot(normal, normal) > 1e-4 * longest * longest;
   e.normal = unit(normal);
@@ -48,20 +37,20 @@ void NearTriangles::add(Index name, const spatial::Triangle& t) {
 
 /// Infinite if the triangle's plane or the planes through its edges tell that p is not near. There, errors
 /// can only be on the safe side. Most points are far or straight above the triangle.
-double NearTriangles::squared_distance(const Entry& e, const Point& p) const {
+double NearTriangles::squared_distance(const Entry& e, const Vec3& p) const {
   const double limit = distance_ * (1 + 1e-9);
   bool is_above = e.is_fat;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double outside = dot(e.outward[i], minus(p, e.triangle[i]));
+    const double outside = dot(e.outward[i], p - e.triangle[i]);
     if (outside > limit) return infinity;
     is_above &= outside <= 0;
   }
-  const double height = dot(e.normal, minus(p, e.triangle[0]));
+  const double height = dot(e.normal, p - e.triangle[0]);
   if (std::abs(height) > limit) return infinity;
   return is_above ? height * height : spatial::closest_point(p, e.triangle).squared_distance;
 }
 
-NearTriangles::Near NearTriangles::near(const Point& p, std::size_t first) const {
+NearTriangles::Near NearTriangles::near(const Vec3& p, std::size_t first) const {
   Near found;
   double least = infinity;
   for (std::size_t i = first; i < size_; ++i) {
@@ -73,17 +62,17 @@ NearTriangles::Near NearTriangles::near(const Point& p, std::size_t first) const
   return found;
 }
 
-double NearTriangles::leaves(const Entry& e, const Point& p, const Point& q) {
+double NearTriangles::leaves(const Entry& e, const Vec3& p, const Vec3& q) {
   double t = 1;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double at_p = dot(e.outward[i], minus(p, e.triangle[i]));
-    const double at_q = dot(e.outward[i], minus(q, e.triangle[i]));
+    const double at_p = dot(e.outward[i], p - e.triangle[i]);
+    const double at_q = dot(e.outward[i], q - e.triangle[i]);
     if (at_q > 0) t = std::min(t, at_p < 0 ? at_p / (at_p - at_q) : 0);
   }
   return t;
 }
 
-double NearTriangles::leaves(Mask triangles, const Point& p, const Point& q) const {
+double NearTriangles::leaves(Mask triangles, const Vec3& p, const Vec3& q) const {
   double t = 0;
   for (; triangles != 0; triangles &= triangles - 1)
     t = std::max(t, leaves(entries_[static_cast<std::size_t>(std::countr_zero(triangles))], p, q));

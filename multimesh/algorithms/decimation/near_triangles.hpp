@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "multimesh/closest_point.hpp"
 #include "multimesh/dart.hpp"
+#include "multimesh/geometry/closest_point.hpp"
 
 namespace multimesh::decimation {
 
@@ -32,10 +32,10 @@ class NearTriangles {
   void shrink(std::size_t n) { size_ = n; }
 
   /// Of the triangles from `first` on, those near p; for one at that very distance, rounding decides.
-  Near near(const spatial::Point& p, std::size_t first = 0) const;
+  Near near(const Vec3& p, std::size_t first = 0) const;
   /// On the way from p to q, t = 0 to 1: the last t at which one of these triangles that p is above or below
   /// is left; 0 if there is none, 1 if one reaches as far as q.
-  double leaves(Mask triangles, const spatial::Point& p, const spatial::Point& q) const;
+  double leaves(Mask triangles, const Vec3& p, const Vec3& q) const;
 
  private:
   /// A triangle with unit vectors, or 0 if it has no area: its normal, and those in its plane that point
@@ -43,13 +43,13 @@ class NearTriangles {
   struct Entry {
     Index name;
     spatial::Triangle triangle;
-    spatial::Point normal;
-    std::array<spatial::Point, 3> outward;
+    Vec3 normal;
+    std::array<Vec3, 3> outward;
     bool is_fat;  ///< enough for the normal to be exact
   };
   static Entry entry(Index name, const spatial::Triangle& triangle);
-  static double leaves(const Entry& e, const spatial::Point& p, const spatial::Point& q);
-  double squared_distance(const Entry& e, const spatial::Point& p) const;
+  static double leaves(const Entry& e, const Vec3& p, const Vec3& q);
+  double squared_distance(const Entry& e, const Vec3& p) const;
 
   double distance_, squared_distance_;
   std::size_t size_ = 0;

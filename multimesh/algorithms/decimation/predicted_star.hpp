@@ -24,13 +24,13 @@ class PredictedStar {
     bool dies = false;
     bool changes = false;  ///< by the plan
     /// Corner 0 after the plan.
-    OpenMesh::Vec3d position;
-    std::array<OpenMesh::Vec2d, max_sets> texcoords;
+    Vec3 position;
+    std::array<Vec2, max_sets> texcoords;
 
-    std::array<OpenMesh::Vec3d, 3> positions_after() const {
+    std::array<Vec3, 3> positions_after() const {
       return {position, before.positions[1], before.positions[2]};
     }
-    std::array<OpenMesh::Vec2d, 3> texcoords_after(std::size_t set) const {
+    std::array<Vec2, 3> texcoords_after(std::size_t set) const {
       const auto& t = before.sets[set].texcoords;
       return {texcoords[set], t[1], t[2]};
     }

@@ -5,24 +5,22 @@
 
 namespace multimesh::decimation {
 
-using OpenMesh::Vec3d;
-
 namespace {
 
-Vec3d area_vector(const std::array<Vec3d, 3>& p) {
+Vec3 area_vector(const std::array<Vec3, 3>& p) {
   return cross(p[1] - p[0], p[2] - p[0]);
 }
 
-double longest_squared(const std::array<Vec3d, 3>& p) {
-  return std::max({(p[1] - p[0]).sqrnorm(), (p[2] - p[1]).sqrnorm(), (p[0] - p[2]).sqrnorm()});
+double longest_squared(const std::array<Vec3, 3>& p) {
+  return std::max({(p[1] - p[0]).squared_norm(), (p[2] - p[1]).squared_norm(), (p[0] - p[2]).squared_norm()});
 }
 
-double aspect_ratio(const std::array<Vec3d, 3>& p) {
+double aspect_ratio(const std::array<Vec3, 3>& p) {
   const double doubled_area = area_vector(p).norm();
   return doubled_area > 0 ? longest_squared(p) / doubled_area : std::numeric_limits<double>::infinity();
 }
 
-double angle_between(const Vec3d& x, const Vec3d& y) {
+double angle_between(const Vec3& x, const Vec3& y) {
   return std::acos(std::clamp(dot(x, y), -1.0, 1.0));
 }
 
@@ -31,12 +29,12 @@ double angle_between(const Vec3d& x, const Vec3d& y) {
 bool NormalTurn::allows(const PredictedStar& star, const CollapsePlan&) {
   for (const PredictedStar::Face& f : star.faces()) {
     if (f.dies || !f.changes) continue;
-    const Vec3d before = area_vector(f.before.positions);
-    const double had = before.sqrnorm();
+    const Vec3 before = area_vector(f.before.positions);
+    const double had = before.squared_norm();
     if (!(had > 0)) continue;
     const auto positions = f.positions_after();
-    const Vec3d after = area_vector(positions);
-    const double has = after.sqrnorm(), longest = longest_squared(positions);
+    const Vec3 after = area_vector(positions);
+    const double has = after.squared_norm(), longest = longest_squared(positions);
     if (has <= 1e-20 * longest * longest) return false;
     if (dot(before, after) < min_cosine_ * std::sqrt(had * has)) return false;
   }
@@ -62,7 +60,7 @@ NormalDeviation::NormalDeviation(const TexturedSurface& surface, double limit)
     std::array<Index, 4> v;
     root.vertices(root.dart_of(2, f), v.data());
     const auto& p = surface.positions();
-    const Vec3d n = area_vector({p[v[0]], p[v[1]], p[v[2]]});
+    const Vec3 n = area_vector({p[v[0]], p[v[1]], p[v[2]]});
     if (n.norm() > 0) cones_[f] = {n / n.norm(), 0};
   }
 }
@@ -77,11 +75,10 @@ NormalDeviation::Cone NormalDeviation::join(const Cone& x, const Cone& y) {
   const double angle = (between + x.angle + y.angle) / 2;
   if (angle >= M_PI) return {x.axis, M_PI};
   // Turned from x's axis towards y's, in their plane.
-  Vec3d sideways = y.axis - x.axis * dot(x.axis, y.axis);
+  Vec3 sideways = y.axis - x.axis * dot(x.axis, y.axis);
   if (!(sideways.norm() > 0)) return {x.axis, M_PI};
-  sideways.normalize();
   const double turn = angle - x.angle;
-  return {x.axis * std::cos(turn) + sideways * std::sin(turn), angle};
+  return {x.axis * std::cos(turn) + sideways.normalized() * std::sin(turn), angle};
 }
 
 // The area of a dead triangle goes to its neighbours, the triangles that meet at its apex afterwards.
@@ -100,7 +97,7 @@ bool NormalDeviation::allows(const PredictedStar& star, const CollapsePlan&) {
   for (const PredictedStar::Face& f : star.faces()) {
     if (f.dies) continue;
     const Cone cone = cone_after(star, f);
-    const Vec3d n = area_vector(f.positions_after());
+    const Vec3 n = area_vector(f.positions_after());
     if (cone.angle < 0 || !(n.norm() > 0)) continue;
     if (angle_between(n / n.norm(), cone.axis) + cone.angle > limit_) return false;
   }

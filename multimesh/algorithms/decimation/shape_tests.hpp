@@ -42,7 +42,7 @@ class NormalDeviation final : public PlacementTest {
 
  private:
   struct Cone {
-    OpenMesh::Vec3d axis{0, 0, 0};
+    Vec3 axis{0, 0, 0};
     double angle = -1;  ///< half the opening; below 0: empty
   };
   static Cone join(const Cone& x, const Cone& y);

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <bit>
 
-#include "multimesh/algorithms/to_point.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::decimation {
-
-using OpenMesh::Vec3d;
 
 namespace {
 
@@ -16,13 +14,13 @@ namespace {
 /// if all are in the middle, make parts of 1/32 of the size; more were not seen to help.
 constexpr int max_bisections = 10;
 
-double squared_distance(const spatial::Point& p, const spatial::Point& q) {
+double squared_distance(const Vec3& p, const Vec3& q) {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) sum += (p[i] - q[i]) * (p[i] - q[i]);
   return sum;
 }
 
-spatial::Point between(const spatial::Point& p, const spatial::Point& q, double t) {
+Vec3 between(const Vec3& p, const Vec3& q, double t) {
   return {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])};
 }
 
@@ -51,7 +49,7 @@ SurfaceDistance::SurfaceDistance(const TexturedSurface& surface, double bound)
       triangles_(root_.capacity(2)),
       witnesses_(root_.capacity(2)),
       candidates_(bound) {
-  for (const Vec3d& p : surface.positions()) vertices_.push_back({to_point(p), 0, {}});
+  for (const Vec3& p : surface.positions()) vertices_.push_back({p, 0, {}});
   for (Index t = 0; t < root_.capacity(2); ++t) {
     if (!root_.is_live(2, t)) continue;
     root_.vertices(root_.dart_of(2, t), triangles_[t].vertices.data());
@@ -81,7 +79,7 @@ void SurfaceDistance::read_candidates(const PredictedStar& star) {
     for (const PredictedStar::Face& f : star.faces()) {
       if (f.dies || f.changes != changes || candidates_.size() == room) continue;
       const auto p = f.positions_after();
-      candidates_.add(f.before.facet, {to_point(p[0]), to_point(p[1]), to_point(p[2])});
+      candidates_.add(f.before.facet, {p[0], p[1], p[2]});
     }
   in_star_ = candidates_.size();
 }
@@ -147,7 +145,7 @@ void SurfaceDistance::add_witnesses_elsewhere(const PredictedStar& star, Index i
     std::array<Index, 3> v;
     root_.vertices(root_.dart_of(2, w), v.data());
     const auto& p = surface_.positions();
-    candidates_.add(w, {to_point(p[v[0]]), to_point(p[v[1]]), to_point(p[v[2]])});
+    candidates_.add(w, {p[v[0]], p[v[1]], p[v[2]]});
   }
 }
 
@@ -188,7 +186,7 @@ std::size_t SurfaceDistance::edge_to_divide(const Part& part) {
 /// do; or its middle.
 SurfaceDistance::Corner SurfaceDistance::divide(const Corner& p, const Corner& q) const {
   const auto at = [&](double t) {
-    const spatial::Point m = between(p.position, q.position, t);
+    const Vec3 m = between(p.position, q.position, t);
     return Corner{m, candidates_.near(m)};
   };
   if (!(p.near.mask & q.near.mask)) {
@@ -208,8 +206,8 @@ Witnesses::Set SurfaceDistance::named(Mask chosen) const {
 }
 
 /// Whether a place is near a triangle of the input, of those that are witnessed in the old star.
-bool SurfaceDistance::is_near_input(const PredictedStar& star, const Vec3d& position) const {
-  const spatial::Point p = to_point(position);
+bool SurfaceDistance::is_near_input(const PredictedStar& star, const Vec3& position) const {
+  const Vec3& p = position;
   const auto is_far = [&](Index input) {
     const auto& v = triangles_[input].vertices;
     const spatial::Triangle t{vertices_[v[0]].position, vertices_[v[1]].position, vertices_[v[2]].position};

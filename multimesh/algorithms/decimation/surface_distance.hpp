@@ -30,7 +30,7 @@ class SurfaceDistance final : public PlacementTest {
  private:
   using Mask = NearTriangles::Mask;
   struct Vertex {
-    spatial::Point position;
+    Vec3 position;
     std::uint64_t plan = 0;  ///< the number of the plan that `near` is about
     NearTriangles::Near near;
   };
@@ -40,7 +40,7 @@ class SurfaceDistance final : public PlacementTest {
   };
   /// A point of a triangle of the input, and which candidates are near it.
   struct Corner {
-    spatial::Point position;
+    Vec3 position;
     NearTriangles::Near near;
   };
   using Part = std::array<Corner, 3>;
@@ -57,7 +57,7 @@ class SurfaceDistance final : public PlacementTest {
   bool cover(const Part& part, int bisections, Mask& chosen) const;
   static std::size_t edge_to_divide(const Part& part);
   Corner divide(const Corner& p, const Corner& q) const;
-  bool is_near_input(const PredictedStar& star, const OpenMesh::Vec3d& position) const;
+  bool is_near_input(const PredictedStar& star, const Vec3& position) const;
 
   const NearTriangles::Near& near(Vertex& v);
   Witnesses::Set named(Mask chosen) const;

@@ -15,13 +15,13 @@ struct SurfaceTriangle {
     Index facet =
         no_index;  ///< of the texture; no_index: the triangle has no texture coordinates in this set
     std::array<Index, 3> vertices;
-    std::array<OpenMesh::Vec2d, 3> texcoords;
+    std::array<Vec2, 3> texcoords;
     std::array<bool, 3> open;  ///< whether edge i, from corner i to i+1, is in the boundary of the texture
   };
 
   Index facet = no_index;
   std::array<Index, 3> vertices;
-  std::array<OpenMesh::Vec3d, 3> positions;
+  std::array<Vec3, 3> positions;
   bool has_curves = false;              ///< whether any edge is a curve, or open in a texture; if not, then
                                         ///< `curve_weights` and `open` are not set
   std::array<double, 3> curve_weights;  ///< of edge i; 0: no curve
@@ -48,11 +48,11 @@ class TriangleReader {
 
   const Strata& strata_;
   const Mesh& root_;
-  const std::vector<OpenMesh::Vec3d>& positions_;
+  const std::vector<Vec3>& positions_;
   struct Texture {
     FacetCopies facet_over;
     const Mesh* mesh;
-    const std::vector<OpenMesh::Vec2d>* texcoords;
+    const std::vector<Vec2>* texcoords;
   };
   std::vector<Texture> textures_;
 };

@@ -3,18 +3,14 @@
 
 #include <limits>
 
-#include "multimesh/algorithms/to_point.hpp"
+#include "multimesh/geometry/closest_point.hpp"
 
 namespace multimesh::decimation {
 
-using OpenMesh::Vec2d;
-using OpenMesh::Vec3d;
-
 namespace {
 
-template <class V>
-spatial::Triangle triangle(const std::array<V, 3>& t) {
-  return {to_point(t[0]), to_point(t[1]), to_point(t[2])};
+spatial::Triangle in_space(const std::array<Vec2, 3>& t) {
+  return {multimesh::in_space(t[0]), multimesh::in_space(t[1]), multimesh::in_space(t[2])};
 }
 
 }  // namespace
@@ -71,9 +67,10 @@ bool TextureDistance::find_triangle(const PredictedStar& star, Index point) {
 }
 
 TextureDistance::Nearness TextureDistance::nearness(const Point& p, const PredictedStar::Face& after) const {
-  const auto in_texture = spatial::closest_point(to_point(p.texcoord), triangle(after.texcoords_after(set_)));
-  const spatial::Point place = spatial::at(triangle(after.positions_after()), in_texture.barycentric);
-  return {in_texture.squared_distance, (Vec3d(place[0], place[1], place[2]) - p.position).sqrnorm()};
+  const auto in_texture =
+      spatial::closest_point(multimesh::in_space(p.texcoord), in_space(after.texcoords_after(set_)));
+  const Vec3 place = spatial::at(after.positions_after(), in_texture.barycentric);
+  return {in_texture.squared_distance, (Vec3(place[0], place[1], place[2]) - p.position).squared_norm()};
 }
 
 void TextureDistance::collapsed(const PredictedStar& star, const CollapsePlan&) {

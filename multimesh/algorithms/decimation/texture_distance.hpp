@@ -21,8 +21,8 @@ class TextureDistance final : public PlacementTest {
 
  private:
   struct Point {
-    OpenMesh::Vec3d position;
-    OpenMesh::Vec2d texcoord;
+    Vec3 position;
+    Vec2 texcoord;
     Index next;  ///< in its triangle's list
   };
   /// How near a triangle would be to a point: in the texture, and in space where it paints the point.

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multimesh/orient2d.hpp"
+#include "multimesh/geometry/orient2d.hpp"
 
 namespace multimesh::decimation {
-
-using OpenMesh::Vec2d;
 
 namespace {
 
@@ -17,12 +15,12 @@ constexpr double relative_no_area = 1e-11;
 /// A chart has an orientation if what its sides have more than each other is at least this share of its area.
 constexpr double oriented_share = 0.8;
 
-int orientation(const std::array<Vec2d, 3>& t) {
+int orientation(const std::array<Vec2, 3>& t) {
   return orient2d(t[0].data(), t[1].data(), t[2].data());
 }
 
-double doubled_area(const std::array<Vec2d, 3>& t) {
-  const Vec2d u = t[1] - t[0], v = t[2] - t[0];
+double doubled_area(const std::array<Vec2, 3>& t) {
+  const Vec2 u = t[1] - t[0], v = t[2] - t[0];
   return u[0] * v[1] - u[1] * v[0];
 }
 
@@ -31,9 +29,9 @@ int sign(double area, double none) {
 }
 
 struct Box {
-  Vec2d low{1e300, 1e300}, high{-1e300, -1e300};
-  void add(const Vec2d& p) { low.minimize(p), high.maximize(p); }
-  double squared_diagonal() const { return low[0] > high[0] ? 0 : (high - low).sqrnorm(); }
+  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+  void add(const Vec2& p) { low = min(low, p), high = max(high, p); }
+  double squared_diagonal() const { return low[0] > high[0] ? 0 : (high - low).squared_norm(); }
 };
 
 }  // namespace
@@ -84,7 +82,7 @@ void TextureOrientation::orient_charts(const TexturedSurface& surface, const Tri
     const double area = doubled_area(t.sets[set_].texcoords);
     total[chart] += area;
     absolute[chart] += std::abs(area);
-    for (const Vec2d& p : t.sets[set_].texcoords) boxes[chart].add(p), whole.add(p);
+    for (const Vec2& p : t.sets[set_].texcoords) boxes[chart].add(p), whole.add(p);
   }
   no_area_ = relative_no_area * whole.squared_diagonal();
   for (std::size_t c = 0; c < charts_.size(); ++c)
@@ -103,8 +101,8 @@ bool TextureOrientation::allows(const PredictedStar& star, const CollapsePlan&) 
 // side, or had before, it may have.
 bool TextureOrientation::keeps_sign(const PredictedStar::Face& f) const {
   const Chart& chart = charts_[chart_of_[f.before.sets[set_].facet]];
-  const std::array<Vec2d, 3>& old = f.before.sets[set_].texcoords;
-  const std::array<Vec2d, 3> now = f.texcoords_after(set_);
+  const std::array<Vec2, 3>& old = f.before.sets[set_].texcoords;
+  const std::array<Vec2, 3> now = f.texcoords_after(set_);
   const double before = doubled_area(old), after = doubled_area(now);
   const int seen = sign(after, chart.no_area), has = orientation(now);
   if (seen != chart.sign && seen != sign(before, chart.no_area)) return false;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "multimesh/orient3d.hpp"
+#include "multimesh/geometry/orient3d.hpp"
 
 namespace multimesh::improvement {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "multimesh/orient2d.hpp"
-#include "multimesh/orient3d.hpp"
+#include "multimesh/geometry/orient2d.hpp"
+#include "multimesh/geometry/orient3d.hpp"
 
 namespace multimesh::improvement {
 

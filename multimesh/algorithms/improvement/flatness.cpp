@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <limits>
 
-#include "multimesh/orient3d.hpp"
+#include "multimesh/geometry/orient3d.hpp"
 
 namespace multimesh::improvement {
 

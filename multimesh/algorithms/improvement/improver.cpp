@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multimesh/algorithms/tet_shape.hpp"
 #include "multimesh/faces.hpp"
+#include "multimesh/geometry/tet_shape.hpp"
 #include "multimesh/tet_sides.hpp"
 
 namespace multimesh::improvement {

@@ -9,8 +9,8 @@
 
 #include "multimesh/algorithms/improvement/bounds.hpp"
 #include "multimesh/algorithms/improvement/exact_place.hpp"
-#include "multimesh/algorithms/tet_shape.hpp"
 #include "multimesh/faces.hpp"
+#include "multimesh/geometry/tet_shape.hpp"
 
 namespace multimesh::improvement {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "multimesh/orient3d.hpp"
+#include "multimesh/geometry/orient3d.hpp"
 
 namespace multimesh::improvement {
 

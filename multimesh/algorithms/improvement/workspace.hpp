@@ -7,8 +7,8 @@
 #include "multimesh/algorithms/improvement/amips.hpp"
 #include "multimesh/algorithms/improvement/flatness.hpp"
 #include "multimesh/algorithms/improvement/held.hpp"
-#include "multimesh/algorithms/joined_mesh.hpp"
-#include "multimesh/algorithms/tet_domain.hpp"
+#include "multimesh/domains/joined_mesh.hpp"
+#include "multimesh/domains/tet_domain.hpp"
 #include "multimesh/operations.hpp"
 
 namespace multimesh::improvement {

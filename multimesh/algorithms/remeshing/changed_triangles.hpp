@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <algorithm>
 #include <array>
 
-#include "multimesh/algorithms/coordinates.hpp"
+#include "multimesh/coordinates.hpp"
 #include "multimesh/dart.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::remeshing {
 
 /// Where the corners of a triangle are.
-using Corners = std::array<OpenMesh::Vec3d, 3>;
+using Corners = std::array<Vec3, 3>;
 
 /// Whether keeps(before, after) is true of all triangles around a vertex, its star, if it goes to `to`. Those
 /// with `without` are left out.
 template <class Keeps>
-bool keeps_around(const Mesh& mesh, const Coordinates& at, const DartBuffer& star, const OpenMesh::Vec3d& to,
+bool keeps_around(const Mesh& mesh, const Coordinates& at, const DartBuffer& star, const Vec3& to,
                   Index without, Keeps keeps) {
   return std::all_of(star.begin(), star.end(), [&](Dart t) {
     std::array<Index, 4> v{};
     mesh.vertices(t, v.data());
     if (v[1] == without || v[2] == without) return true;
-    const OpenMesh::Vec3d x = at.at(v[1]), y = at.at(v[2]);
+    const Vec3 x = at.at(v[1]), y = at.at(v[2]);
     return keeps(Corners{at.at(v[0]), x, y}, Corners{to, x, y});
   });
 }
@@ -36,7 +36,7 @@ struct Swapped {
     std::array<Index, 4> v{}, w{};
     mesh.vertices(star[0], v.data());
     mesh.vertices(star[1], w.data());
-    const OpenMesh::Vec3d a = at.at(v[0]), b = at.at(v[1]), l = at.at(v[2]), r = at.at(w[2]);
+    const Vec3 a = at.at(v[0]), b = at.at(v[1]), l = at.at(v[2]), r = at.at(w[2]);
     left = {a, b, l}, right = {b, a, r}, low = {a, r, l}, high = {r, b, l};
   }
   /// Whether keeps(before, after) is true of each of them beside each of those.

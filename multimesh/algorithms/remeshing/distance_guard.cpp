@@ -6,11 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "multimesh/algorithms/to_point.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::remeshing {
-
-using OpenMesh::Vec3d;
 
 namespace {
 
@@ -22,14 +20,13 @@ constexpr double few_points = 0.6;
 /// Points in a square whose side is the spacing.
 constexpr double per_square = 2;
 
-Vec3d normal(const spatial::Triangle& t) {
-  const Vec3d a(t[0].data()), b(t[1].data()), c(t[2].data());
-  return cross(b - a, c - a);
+Vec3 normal(const spatial::Triangle& t) {
+  return cross(t[1] - t[0], t[2] - t[0]);
 }
 
 /// Of the side from corner i to the next one.
 double squared_side(const spatial::Triangle& t, std::size_t i) {
-  return (Vec3d(t[i].data()) - Vec3d(t[(i + 1) % 3].data())).sqrnorm();
+  return (t[i] - t[(i + 1) % 3]).squared_norm();
 }
 
 }  // namespace
@@ -45,7 +42,7 @@ DistanceGuard::DistanceGuard(const Mesh& surface, const Coordinates& positions, 
     for (std::size_t i = 0; i < 3; ++i)
       if (!known[v[i]]) {
         known[v[i]] = true;
-        add_point(to_point(positions.at(v[i])), f);
+        add_point(positions.at(v[i]), f);
       }
     const spatial::Triangle t = triangle(surface.dart_of(2, f));
     for (std::size_t i = 0; i < 3; ++i)
@@ -72,7 +69,7 @@ void DistanceGuard::add_points(const spatial::Triangle& t, Index facet, double s
   }
 }
 
-void DistanceGuard::add_point(const spatial::Point& p, Index facet) {
+void DistanceGuard::add_point(const Vec3& p, Index facet) {
   points_.push_back(p);
   put(static_cast<Index>(points_.size() - 1), facet);
 }
@@ -80,7 +77,7 @@ void DistanceGuard::add_point(const spatial::Point& p, Index facet) {
 spatial::Triangle DistanceGuard::triangle(Dart d) const {
   std::array<Index, 4> v{};
   mesh_.vertices(d, v.data());
-  return {to_point(positions_.at(v[0])), to_point(positions_.at(v[1])), to_point(positions_.at(v[2]))};
+  return {positions_.at(v[0]), positions_.at(v[1]), positions_.at(v[2])};
 }
 
 void DistanceGuard::put(Index p, Index triangle) {
@@ -189,12 +186,12 @@ bool DistanceGuard::is_near_input(const spatial::Triangle& t) const {
 }
 
 bool DistanceGuard::is_near_input(const DartBuffer& triangles) const {
-  Vec3d mean(0, 0, 0);
+  Vec3 mean(0, 0, 0);
   for (const Dart t : triangles) mean += normal(triangle(t));
   for (const Dart d : triangles) {
     const spatial::Triangle t = triangle(d);
-    const Vec3d n = normal(t);
-    if (!touches_boundary(d) && (n | mean) > bent_cosine * n.norm() * mean.norm()) continue;
+    const Vec3 n = normal(t);
+    if (!touches_boundary(d) && dot(n, mean) > bent_cosine * n.norm() * mean.norm()) continue;
     if (!is_near_input(t)) return false;
   }
   return true;

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "multimesh/algorithms/coordinates.hpp"
 #include "multimesh/algorithms/remeshing/reference.hpp"
+#include "multimesh/coordinates.hpp"
 
 namespace multimesh::remeshing {
 
@@ -38,7 +38,7 @@ class DistanceGuard {
     Index facet;
   };
   void add_points(const spatial::Triangle& t, Index facet, double spacing);
-  void add_point(const spatial::Point& p, Index facet);
+  void add_point(const Vec3& p, Index facet);
   void find_nearest(const DartBuffer& triangles, double distance);
   Index nearest_candidate(const Taken& taken, double distance) const;
   void put_settled();
@@ -52,7 +52,7 @@ class DistanceGuard {
   const Coordinates& positions_;
   const Reference& input_;
   double bound_;
-  std::vector<spatial::Point> points_;
+  std::vector<Vec3> points_;
   std::vector<Index> next_;   // per point: one more than the next one of its triangle
   std::vector<Index> first_;  // per triangle: one more than its first point
   double due_ = 0;            // share of the next point

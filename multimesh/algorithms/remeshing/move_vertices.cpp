@@ -7,8 +7,6 @@
 
 namespace multimesh::remeshing {
 
-using OpenMesh::Vec3d;
-
 void Remesher::smooth() {
   placed_.resize(mesh_.capacity(0), false);
   for (Index v = 0; v < mesh_.capacity(0); ++v)
@@ -17,16 +15,16 @@ void Remesher::smooth() {
 }
 
 /// Of the triangles around a vertex, weighted by area; their normal, weighted too.
-Vec3d Remesher::centre(Dart vertex, Vec3d& normal) {
+Vec3 Remesher::centre(Dart vertex, Vec3& normal) {
   mesh_.star(vertex, 0, star_);
-  Vec3d sum(0, 0, 0);
+  Vec3 sum(0, 0, 0);
   double area = 0;
-  normal = Vec3d(0, 0, 0);
+  normal = Vec3(0, 0, 0);
   for (const Dart t : star_) {
     std::array<Index, 4> v{};
     mesh_.vertices(t, v.data());
-    const Vec3d p = positions_.at(v[0]), q = positions_.at(v[1]), r = positions_.at(v[2]);
-    const Vec3d n = cross(q - p, r - p);
+    const Vec3 p = positions_.at(v[0]), q = positions_.at(v[1]), r = positions_.at(v[2]);
+    const Vec3 n = cross(q - p, r - p);
     const double a = n.norm();
     sum += (p + q + r) * (a / 3);
     area += a;
@@ -39,13 +37,13 @@ void Remesher::smooth(Dart vertex) {
   std::array<Dart, 2> line{};
   const Freedom freedom = strata_.freedom(vertex, line);
   if (freedom == Freedom::none) return;
-  const Vec3d here = at(vertex);
-  Vec3d step, normal(0, 0, 0);
+  const Vec3 here = at(vertex);
+  Vec3 step, normal(0, 0, 0);
   if (freedom == Freedom::line) {
     step = (at(mesh_.reorder(line[0], exchange_ends)) + at(mesh_.reorder(line[1], exchange_ends))) / 2 - here;
   } else {
     step = centre(vertex, normal) - here;
-    if (normal.sqrnorm() > 0) step -= normal * ((step | normal) / normal.sqrnorm());
+    if (normal.squared_norm() > 0) step -= normal * (dot(step, normal) / normal.squared_norm());
   }
   const Index v = mesh_.vertex(vertex);
   if (placed_[v] && step.norm() < smallest_move_) return;
@@ -59,7 +57,7 @@ void Remesher::smooth(Dart vertex) {
 }
 
 std::optional<Place> Remesher::place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
-                                     const Wanted& wanted, const Vec3d& normal) const {
+                                     const Wanted& wanted, const Vec3& normal) const {
   if (freedom == Freedom::none) return std::nullopt;
   const double expected = wanted.from_input + smallest_move_;
   if (freedom == Freedom::line)
@@ -72,15 +70,17 @@ std::optional<Place> Remesher::place(Dart vertex, Freedom freedom, const std::ar
 bool Remesher::assign(const Place& to) {
   writes_.clear();
   for (std::size_t m = 0; m < below_.size(); ++m) {
-    std::vector<Vec3d> free;
+    std::vector<Vec3> free;
     for (const auto& b : to.below)
       if (b.mesh == m) free.push_back(b.at);
     const std::span<const Copy> copies = copies_.of(below_[m]->node());
     if (copies.size() != free.size()) return false;
     const auto now = [&](const Copy& c) { return below_[m]->at(tree_.mesh(c.node).vertex(c.dart)); };
     if (copies.size() == 2) {
-      const double straight = (now(copies[0]) - free[0]).sqrnorm() + (now(copies[1]) - free[1]).sqrnorm();
-      const double crossed = (now(copies[0]) - free[1]).sqrnorm() + (now(copies[1]) - free[0]).sqrnorm();
+      const double straight =
+          (now(copies[0]) - free[0]).squared_norm() + (now(copies[1]) - free[1]).squared_norm();
+      const double crossed =
+          (now(copies[0]) - free[1]).squared_norm() + (now(copies[1]) - free[0]).squared_norm();
       if (crossed < straight) std::swap(free[0], free[1]);
     }
     for (std::size_t i = 0; i < copies.size(); ++i) writes_.push_back({m, copies[i].dart, free[i]});

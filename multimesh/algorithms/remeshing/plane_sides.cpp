@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multimesh/orient2d.hpp"
+#include "multimesh/geometry/orient2d.hpp"
 
 namespace multimesh::remeshing {
-
-using OpenMesh::Vec3d;
 
 namespace {
 
@@ -20,17 +18,17 @@ int side(const Corners& t) {
 }
 
 double doubled_area(const Corners& t) {
-  const Vec3d u = t[1] - t[0], v = t[2] - t[0];
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0];
   return std::abs(u[0] * v[1] - u[1] * v[0]);
 }
 
 }  // namespace
 
 PlaneSides::PlaneSides(const Mesh& mesh, const Coordinates& at) : mesh_(mesh), at_(at) {
-  Vec3d low(HUGE_VAL, HUGE_VAL, 0), high(-HUGE_VAL, -HUGE_VAL, 0);
+  Vec3 low(HUGE_VAL, HUGE_VAL, 0), high(-HUGE_VAL, -HUGE_VAL, 0);
   for (Index v = 0; v < mesh.capacity(0); ++v)
-    if (mesh.is_live(0, v)) low.minimize(at.at(v)), high.maximize(at.at(v));
-  if (low[0] <= high[0]) tiny_ = relative_tiny * (high - low).sqrnorm();
+    if (mesh.is_live(0, v)) low = min(low, at.at(v)), high = max(high, at.at(v));
+  if (low[0] <= high[0]) tiny_ = relative_tiny * (high - low).squared_norm();
 }
 
 // In the orientation of the mesh, whatever that of the dart.
@@ -56,7 +54,7 @@ int PlaneSides::common_side() const {
   return common;
 }
 
-bool PlaneSides::allows(Dart vertex, const Vec3d& to, Index without) {
+bool PlaneSides::allows(Dart vertex, const Vec3& to, Index without) {
   mesh_.star(vertex, 0, star_);
   const int common = common_side();
   return keeps_around(mesh_, at_, star_, to, without, [&](const Corners& before, const Corners& after) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
-
-#include "multimesh/algorithms/coordinates.hpp"
 #include "multimesh/algorithms/remeshing/changed_triangles.hpp"
+#include "multimesh/coordinates.hpp"
 #include "multimesh/dart.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::remeshing {
 
@@ -17,7 +16,7 @@ class PlaneSides {
   PlaneSides(const Mesh& mesh, const Coordinates& at);
 
   /// As StarShape has them.
-  bool allows(Dart vertex, const OpenMesh::Vec3d& to, Index without = no_index);
+  bool allows(Dart vertex, const Vec3& to, Index without = no_index);
   bool allows_swap(Dart edge);
 
   /// Triangles by their side: of those around edges before a split, of those around the new vertices after

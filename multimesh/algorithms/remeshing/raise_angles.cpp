@@ -8,8 +8,6 @@
 
 namespace multimesh::remeshing {
 
-using OpenMesh::Vec3d;
-
 namespace {
 
 /// From here on an angle is no longer small.
@@ -53,7 +51,7 @@ class Around {
     }
   }
   /// If it goes to p. Triangles that have p as a corner vanish.
-  Lack lack(const Vec3d& p) const {
+  Lack lack(const Vec3& p) const {
     Lack sum;
     for (const auto& [x, y] : opposite_) {
       if (x == p || y == p) continue;
@@ -65,15 +63,15 @@ class Around {
 
  private:
   double length_;
-  std::vector<std::pair<Vec3d, Vec3d>> opposite_;
+  std::vector<std::pair<Vec3, Vec3>> opposite_;
 };
 
 /// Directions in which a vertex may go.
-std::vector<Vec3d> directions(Vec3d normal) {
+std::vector<Vec3> directions(Vec3 normal) {
   normal /= normal.norm();
-  const Vec3d axis = std::abs(normal[0]) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
-  const Vec3d u = cross(normal, axis).normalized(), v = cross(normal, u);
-  const Vec3d s = (u + v) * std::sqrt(0.5), t = (u - v) * std::sqrt(0.5);
+  const Vec3 axis = std::abs(normal[0]) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  const Vec3 u = cross(normal, axis).normalized(), v = cross(normal, u);
+  const Vec3 s = (u + v) * std::sqrt(0.5), t = (u - v) * std::sqrt(0.5);
   return {u, s, v, -t, -u, -s, -v, t};
 }
 
@@ -128,9 +126,9 @@ bool Remesher::raise_angle(Dart triangle) {
 bool Remesher::swap_to_raise_angles(Dart edge) {
   if (!may_be_swapped(edge)) return false;
   const Dart beyond = mesh_.switch_dart(edge, 2);
-  const Vec3d a = at(edge), b = at(mesh_.reorder(edge, exchange_ends)),
-              l = at(mesh_.reorder(edge, permutation(2, 0, 1))),
-              r = at(mesh_.reorder(beyond, permutation(2, 0, 1)));
+  const Vec3 a = at(edge), b = at(mesh_.reorder(edge, exchange_ends)),
+             l = at(mesh_.reorder(edge, permutation(2, 0, 1))),
+             r = at(mesh_.reorder(beyond, permutation(2, 0, 1)));
   Lack now, then;
   now.add(least_angle(a, b, l)), now.add(least_angle(a, b, r));
   now.add_edge((a - b).norm() / options_.length);
@@ -156,14 +154,14 @@ bool Remesher::collapse_to_raise_angles(Dart edge) {
 }
 
 /// Where a vertex may go on its surface or line, by one step.
-std::vector<Vec3d> Remesher::near_places(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
-                                         const Vec3d& normal) const {
-  std::vector<Vec3d> ways, places;
+std::vector<Vec3> Remesher::near_places(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
+                                        const Vec3& normal) const {
+  std::vector<Vec3> ways, places;
   if (freedom == Freedom::surface) ways = directions(normal);
   if (freedom == Freedom::line)
     for (const Dart e : line) ways.push_back((at(mesh_.reorder(e, exchange_ends)) - at(vertex)).normalized());
   for (const double step : steps)
-    for (const Vec3d& way : ways) places.push_back(at(vertex) + way * (step * options_.length));
+    for (const Vec3& way : ways) places.push_back(at(vertex) + way * (step * options_.length));
   return places;
 }
 
@@ -171,14 +169,14 @@ std::vector<Vec3d> Remesher::near_places(Dart vertex, Freedom freedom, const std
 bool Remesher::move_to_raise_angles(Dart vertex) {
   std::array<Dart, 2> line{};
   const Freedom freedom = strata_.freedom(vertex, line);
-  Vec3d normal;
+  Vec3 normal;
   (void)centre(vertex, normal);
-  if (freedom == Freedom::none || !(normal.sqrnorm() > 0)) return false;
+  if (freedom == Freedom::none || !(normal.squared_norm() > 0)) return false;
   const Around around(mesh_, positions_, star_, options_.length);
-  const Vec3d here = at(vertex);
+  const Vec3 here = at(vertex);
   const Lack now = around.lack(here);
-  std::vector<std::pair<double, Vec3d>> better;
-  for (const Vec3d& p : near_places(vertex, freedom, line, normal))
+  std::vector<std::pair<double, Vec3>> better;
+  for (const Vec3& p : near_places(vertex, freedom, line, normal))
     if (const Lack then = around.lack(p); then.is_less_than(now)) better.emplace_back(then.angles, p);
   std::sort(better.begin(), better.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   if (better.size() > most_tries) better.resize(most_tries);

@@ -5,11 +5,9 @@
 #include <array>
 #include <utility>
 
-#include "multimesh/algorithms/to_point.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::remeshing {
-
-using OpenMesh::Vec3d;
 
 Reference::Reference(const EmbeddedMesh& surface, TreeStrata& strata, std::vector<Index>& patch,
                      std::vector<Index>& line)
@@ -78,8 +76,8 @@ void Reference::add(Layer& layer, Dart d, int k, Index group) {
   std::array<Index, 4> v{};
   mesh_.vertices(d, v.data());
   const auto corner = [&](std::size_t i) { return i > static_cast<std::size_t>(k) ? std::size_t(k) : i; };
-  const std::array<Vec3d, 3> p{positions_.at(v[0]), positions_.at(v[1]), positions_.at(v[corner(2)])};
-  layer.triangles.push_back({to_point(p[0]), to_point(p[1]), to_point(p[2])});
+  const std::array<Vec3, 3> p{positions_.at(v[0]), positions_.at(v[1]), positions_.at(v[corner(2)])};
+  layer.triangles.push_back({p[0], p[1], p[2]});
   layer.group.push_back(group);
   layer.normal.push_back(cross(p[1] - p[0], p[2] - p[0]));
   DartBuffer copies;
@@ -107,7 +105,7 @@ void Reference::add_segments(std::vector<Index>& line) {
 
 Place Reference::place(const Layer& layer, const spatial::TriangleTree& tree, const spatial::Nearby& found) {
   const auto& w = found.barycentric;
-  const spatial::Point p = spatial::at(tree.triangles()[found.facet], w);
+  const Vec3 p = spatial::at(tree.triangles()[found.facet], w);
   Place result{{p[0], p[1], p[2]}, {}};
   for (std::uint32_t i = layer.begin[found.facet]; i < layer.begin[found.facet + 1]; ++i) {
     const Values& x = layer.below[i];
@@ -119,8 +117,8 @@ Place Reference::place(const Layer& layer, const spatial::TriangleTree& tree, co
 // Without a bound, many triangles of other groups may be asked before the first one of this group.
 template <class Look>
 std::optional<Place> Reference::closest(const Layer& layer, const spatial::TriangleTree& tree, Index group,
-                                        const Vec3d& p, double expected, Look look) {
-  const spatial::Point at = to_point(p);
+                                        const Vec3& p, double expected, Look look) {
+  const Vec3& at = p;
   const spatial::TriangleTree::Choose choose = [&](Index f) -> std::optional<spatial::PointOnTriangle> {
     if (layer.group[f] != group || !look(f)) return std::nullopt;
     return spatial::closest_point(at, tree.triangles()[f]);
@@ -131,13 +129,13 @@ std::optional<Place> Reference::closest(const Layer& layer, const spatial::Trian
   return place(layer, tree, *found);
 }
 
-std::optional<Place> Reference::on_patch(Index patch, const Vec3d& p, const Vec3d& normal,
+std::optional<Place> Reference::on_patch(Index patch, const Vec3& p, const Vec3& normal,
                                          double expected) const {
   return closest(patches_, *triangles_, patch, p, expected,
-                 [&](Index f) { return (patches_.normal[f] | normal) >= 0; });
+                 [&](Index f) { return dot(patches_.normal[f], normal) >= 0; });
 }
 
-std::optional<Place> Reference::on_line(Index line, const Vec3d& p, double expected) const {
+std::optional<Place> Reference::on_line(Index line, const Vec3& p, double expected) const {
   if (!segments_) return std::nullopt;
   return closest(lines_, *segments_, line, p, expected, [](Index) { return true; });
 }

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "adapters/embree/triangle_tree.hpp"
-#include "multimesh/algorithms/embedding.hpp"
-#include "multimesh/algorithms/tree_strata.hpp"
+#include "multimesh/embedding.hpp"
+#include "multimesh/geometry/vector.hpp"
+#include "multimesh/tree_strata.hpp"
 
 namespace multimesh::remeshing {
 
 /// A point of the input, and the coordinates of the meshes below there: side by side one on each side of a
 /// line.
 struct Place {
-  OpenMesh::Vec3d position;
+  Vec3 position;
   struct Below {
     std::size_t mesh;  ///< which of the coordinates
-    OpenMesh::Vec3d at;
+    Vec3 at;
   };
   std::vector<Below> below;
 };
@@ -34,23 +34,20 @@ class Reference {
 
   /// The point of a patch closest to p among those that look the same way as `normal`, within half a space.
   /// If it is within `expected` of p, others that are farther away cost nothing.
-  std::optional<Place> on_patch(Index patch, const OpenMesh::Vec3d& p, const OpenMesh::Vec3d& normal,
-                                double expected) const;
+  std::optional<Place> on_patch(Index patch, const Vec3& p, const Vec3& normal, double expected) const;
   /// Whether any of the surface is within a distance of p.
-  bool has_within(const spatial::Point& p, double distance) const {
-    return triangles_->has_within(p, distance);
-  }
-  std::optional<Place> on_line(Index line, const OpenMesh::Vec3d& p, double expected) const;
+  bool has_within(const Vec3& p, double distance) const { return triangles_->has_within(p, distance); }
+  std::optional<Place> on_line(Index line, const Vec3& p, double expected) const;
 
  private:
   struct Values {  ///< of one mesh below, at the corners of a triangle or the ends of a segment
     std::size_t mesh;
-    std::array<OpenMesh::Vec3d, 3> at;
+    std::array<Vec3, 3> at;
   };
   /// Triangles, or segments as triangles without area, and what is below each: from begin[i] on.
   struct Layer {
     std::vector<Index> group;
-    std::vector<OpenMesh::Vec3d> normal;
+    std::vector<Vec3> normal;
     std::vector<std::uint32_t> begin{0};
     std::vector<Values> below;
     std::vector<spatial::Triangle> triangles;
@@ -63,7 +60,7 @@ class Reference {
   /// Of the triangles of a group that `look` is true of.
   template <class Look>
   static std::optional<Place> closest(const Layer& layer, const spatial::TriangleTree& tree, Index group,
-                                      const OpenMesh::Vec3d& p, double expected, Look look);
+                                      const Vec3& p, double expected, Look look);
   static Place place(const Layer& layer, const spatial::TriangleTree& tree, const spatial::Nearby& found);
 
   const MultiMesh& tree_;

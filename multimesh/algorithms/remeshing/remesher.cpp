@@ -9,8 +9,6 @@
 
 namespace multimesh::remeshing {
 
-using OpenMesh::Vec3d;
-
 namespace {
 
 /// How far the surface may be from the input, and how dense the points are by which that is judged; of the
@@ -104,7 +102,7 @@ std::size_t Remesher::split_long_edges() {
 // A triangle whose longest edge stays whole gets flatter with each split of another one, without an end.
 bool Remesher::flattens_beside_whole(Dart edge) {
   mesh_.star(edge, 1, star_);
-  const Vec3d middle = (at(edge) + at(mesh_.reorder(edge, exchange_ends))) / 2;
+  const Vec3 middle = (at(edge) + at(mesh_.reorder(edge, exchange_ends))) / 2;
   return std::ranges::any_of(star_, [&](Dart t) {
     const std::array others{mesh_.reorder(t, edge_ax), mesh_.reorder(t, edge_bx)};
     return std::ranges::any_of(others, [&](Dart side) {
@@ -129,7 +127,7 @@ bool Remesher::halve(Dart edge) {
   guard_.hand_on(changing_);
   std::array<Dart, 2> line{};
   const Freedom freedom = strata_.freedom(v, line);
-  Vec3d normal;
+  Vec3 normal;
   (void)centre(v, normal);
   if (const auto to = place(v, freedom, line, {at(v), half}, normal)) move(v, *to);
   return true;

@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "multimesh/algorithms/embedding.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/remeshing/distance_guard.hpp"
 #include "multimesh/algorithms/remeshing/plane_sides.hpp"
 #include "multimesh/algorithms/remeshing/reference.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
-#include "multimesh/algorithms/tree_strata.hpp"
 #include "multimesh/column.hpp"
+#include "multimesh/embedding.hpp"
+#include "multimesh/tree_strata.hpp"
 
 namespace multimesh::remeshing {
 
@@ -54,13 +54,13 @@ class Remesher {
   bool swap_guarded(Dart edge);
   int deviation(Dart vertex, int change);
   void smooth(Dart vertex);
-  OpenMesh::Vec3d centre(Dart vertex, OpenMesh::Vec3d& normal);
+  Vec3 centre(Dart vertex, Vec3& normal);
   struct Wanted {
-    OpenMesh::Vec3d at;
+    Vec3 at;
     double from_input;  ///< no farther than that, as a rule
   };
   std::optional<Place> place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
-                             const Wanted& wanted, const OpenMesh::Vec3d& normal) const;
+                             const Wanted& wanted, const Vec3& normal) const;
   bool move(Dart vertex, const Place& to);
   double least_angle_of(Dart triangle) const;
   std::vector<std::pair<double, Index>> faces_with_small_angles() const;
@@ -68,8 +68,8 @@ class Remesher {
   bool swap_to_raise_angles(Dart edge);
   bool collapse_to_raise_angles(Dart edge);
   bool move_to_raise_angles(Dart vertex);
-  std::vector<OpenMesh::Vec3d> near_places(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
-                                           const OpenMesh::Vec3d& normal) const;
+  std::vector<Vec3> near_places(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
+                                const Vec3& normal) const;
   /// The triangles around all copies that the surface has of a k-simplex; around both ends of edges.
   void read_stars(const Copies& copies, int k, DartBuffer& triangles);
   void read_stars_of_ends(const Copies& edges, DartBuffer& triangles);
@@ -82,7 +82,7 @@ class Remesher {
   bool guarded(const std::function<Outcome()>& operation);
   bool assign(const Place& to);
 
-  OpenMesh::Vec3d at(Dart d) const { return positions_.at(mesh_.vertex(d)); }
+  Vec3 at(Dart d) const { return positions_.at(mesh_.vertex(d)); }
   double length(Dart edge) const { return (at(edge) - at(mesh_.reorder(edge, exchange_ends))).norm(); }
   /// Its length beside the thresholds.
   double measure(Dart edge);
@@ -117,7 +117,7 @@ class Remesher {
   struct Write {
     std::size_t mesh;
     Dart dart;
-    OpenMesh::Vec3d at;
+    Vec3 at;
   };
   Copies copies_;
   std::vector<Write> writes_;

@@ -8,8 +8,6 @@
 
 namespace multimesh::remeshing {
 
-using OpenMesh::Vec3d;
-
 namespace {
 
 /// Of the angle by which a normal may turn in one step.
@@ -31,29 +29,30 @@ struct Form {
 };
 
 /// `n`: the cross product of two edges.
-Form form(const Corners& t, const Vec3d& n) {
-  std::array<double, 3> squared{(t[1] - t[0]).sqrnorm(), (t[2] - t[1]).sqrnorm(), (t[0] - t[2]).sqrnorm()};
+Form form(const Corners& t, const Vec3& n) {
+  std::array<double, 3> squared{(t[1] - t[0]).squared_norm(), (t[2] - t[1]).squared_norm(),
+                                (t[0] - t[2]).squared_norm()};
   std::sort(squared.begin(), squared.end());
   const double shorter = std::sqrt(squared[0] * squared[1]), area = n.norm();
   return {shorter > 0 ? area / shorter : 0, squared[2] > 0 ? area / squared[2] : 0};
 }
 
-Vec3d normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+Vec3 normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return cross(b - a, c - a);
 }
 
 bool same_side(const Corners& before, const Corners& after) {
-  const Vec3d n = normal(before[0], before[1], before[2]), m = normal(after[0], after[1], after[2]);
+  const Vec3 n = normal(before[0], before[1], before[2]), m = normal(after[0], after[1], after[2]);
   const Form was = form(before, n), is = form(after, m);
   if (was.flatness < with_normal) return true;
   if (is.flatness < std::min(flat, was.flatness) || is.thinness < std::min(thin, leaning * was.thinness))
     return false;
-  return (n | m) > least_cosine * n.norm() * m.norm();
+  return dot(n, m) > least_cosine * n.norm() * m.norm();
 }
 
 }  // namespace
 
-bool StarShape::allows(Dart vertex, const Vec3d& to, Index without) {
+bool StarShape::allows(Dart vertex, const Vec3& to, Index without) {
   mesh_.star(vertex, 0, star_);
   return keeps_around(mesh_, at_, star_, to, without, same_side);
 }
@@ -65,16 +64,16 @@ bool StarShape::allows_swap(Dart edge) {
   return t.keeps_all(same_side) && same_side(t.left, t.right);
 }
 
-bool is_flat(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
   return form({a, b, c}, normal(a, b, c)).flatness < flat;
 }
 
 // The one across from the shortest side.
-double least_angle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const auto at = [](const Vec3d& p, const Vec3d& q, const Vec3d& r) {
-    return std::atan2(cross(q - p, r - p).norm(), (q - p) | (r - p));
+double least_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto at = [](const Vec3& p, const Vec3& q, const Vec3& r) {
+    return std::atan2(cross(q - p, r - p).norm(), dot(q - p, r - p));
   };
-  const double ab = (b - a).sqrnorm(), bc = (c - b).sqrnorm(), ca = (a - c).sqrnorm();
+  const double ab = (b - a).squared_norm(), bc = (c - b).squared_norm(), ca = (a - c).squared_norm();
   return ab <= bc && ab <= ca ? at(c, a, b) : bc <= ca ? at(a, b, c) : at(b, c, a);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <OpenMesh/Core/Geometry/VectorT.hh>
 #include <array>
 #include <optional>
 
-#include "multimesh/algorithms/coordinates.hpp"
+#include "multimesh/coordinates.hpp"
 #include "multimesh/dart.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::remeshing {
 
@@ -17,7 +17,7 @@ class StarShape {
 
   /// Whether the triangles around a vertex keep their side if it goes to `to`; those with `without` are left
   /// out. None may turn by much, or get flat.
-  bool allows(Dart vertex, const OpenMesh::Vec3d& to, Index without = no_index);
+  bool allows(Dart vertex, const Vec3& to, Index without = no_index);
   /// Whether (a,b,l), (b,a,r) may become (a,r,l), (r,b,l).
   bool allows_swap(Dart edge);
 
@@ -29,9 +29,9 @@ class StarShape {
 
 /// Whether a triangle is flatter than those that are made where there is a choice: its largest angle is near
 /// 180 degrees.
-bool is_flat(const OpenMesh::Vec3d& a, const OpenMesh::Vec3d& b, const OpenMesh::Vec3d& c);
+bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// The least of its angles, radians; 0 for a triangle without area.
-double least_angle(const OpenMesh::Vec3d& a, const OpenMesh::Vec3d& b, const OpenMesh::Vec3d& c);
+double least_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace multimesh::remeshing

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "adapters/openmesh/attach.hpp"
+#include "multimesh/embedding.hpp"
+
+namespace multimesh {
+
+/// A user's own OpenMesh mesh with all that is attached to it, for algorithms: its points, the texture
+/// coordinates if there are any, and what follows or stands in the way of its operations. Children and
+/// properties that are added later are not in it. Must not outlive `attached`. Cost: constant
+template <class UserMesh>
+Embedding embedding(openmesh::Attached<UserMesh>& attached) {
+  Embedding e(attached.operations());
+  e.add_coordinates(attached.points(), Embedding::Kind::space);
+  if (attached.has_texture()) e.add_coordinates(attached.texcoords(), Embedding::Kind::chart);
+  return e;
+}
+
+}  // namespace multimesh

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/domains/periodic_domain.hpp"
+
+// GCC 12 takes an Eigen vector that OpenMesh's property makes by T() for one that is read uninitialized.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
+#include <algorithm>
+
+#include "multimesh/domains/periodic_domain/domain_data.hpp"
+
+namespace multimesh {
+
+namespace {
+
+std::size_t count_simplices(const Mesh& mesh, int k) {
+  std::size_t n = 0;
+  for (Index s = 0; s < mesh.capacity(k); ++s) n += mesh.is_live(k, s);
+  return n;
+}
+
+void count(const MultiMesh& tree, NodeId tile, PeriodicReport& report) {
+  const Mesh& root = tree.mesh(NodeId::root);
+  for (int k = 0; k <= root.dimension(); ++k) {
+    const std::size_t n = count_simplices(root, k);
+    report.simplices[static_cast<std::size_t>(k)] = n;
+    report.euler += (k % 2 == 0 ? 1 : -1) * static_cast<long>(n);
+  }
+  DartBuffer copies;
+  for (Index v = 0; v < root.capacity(0); ++v) {
+    copies.clear();
+    tree.to_child(tile, root.dart_of(0, v), 0, copies);
+    if (report.with_copies.size() <= copies.size()) report.with_copies.resize(copies.size() + 1);
+    ++report.with_copies[copies.size()];
+  }
+}
+
+}  // namespace
+
+PeriodicDomain::PeriodicDomain(const PeriodicTile& tile, const PeriodicOptions& options) {
+  PeriodicReport report;
+  PreparedTile prepared = prepare_tile(tile, options, report);
+  GluedTile glued = glue_tile(prepared.tile, report);
+  data_ = std::make_unique<Data>(std::move(prepared), std::move(glued), std::move(report), tile);
+  count(data_->tree, data_->tile, data_->report);
+  const Eigen::Vector3d normal = mean_normal(*this);
+  const Mesh& mesh = data_->tree.mesh(data_->tile);
+  for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
+    data_->report.inverted_facets += orientation(*this, f, normal) <= 0;
+}
+
+PeriodicDomain::~PeriodicDomain() = default;
+PeriodicDomain::PeriodicDomain(PeriodicDomain&&) noexcept = default;
+
+MultiMesh& PeriodicDomain::tree() {
+  return data_->tree;
+}
+const MultiMesh& PeriodicDomain::tree() const {
+  return data_->tree;
+}
+NodeId PeriodicDomain::tile() const {
+  return data_->tile;
+}
+const PeriodicReport& PeriodicDomain::report() const {
+  return data_->report;
+}
+const Lattice& PeriodicDomain::lattice() const {
+  return data_->lattice;
+}
+double PeriodicDomain::diagonal() const {
+  return data_->diagonal;
+}
+VertexAttribute<PeriodicDomain::Point>& PeriodicDomain::positions() {
+  return *data_->positions;
+}
+const VertexAttribute<PeriodicDomain::Point>& PeriodicDomain::positions() const {
+  return *data_->positions;
+}
+VertexAttribute<LatticeVector>& PeriodicDomain::offsets() {
+  return *data_->offsets;
+}
+const VertexAttribute<LatticeVector>& PeriodicDomain::offsets() const {
+  return *data_->offsets;
+}
+const std::vector<Index>& PeriodicDomain::input_facets() const {
+  return data_->input_facets;
+}
+const std::vector<Index>& PeriodicDomain::input_vertices() const {
+  return data_->input_vertices;
+}
+
+void PeriodicDomain::attach(Propagation& propagation) {
+  propagation.add(positions()).add(offsets()).add(*data_->sources);
+}
+
+PeriodicDomain::Point PeriodicDomain::common_place(Index v) const {
+  return positions()[v] - lattice().shift(offsets()[v]);
+}
+
+PeriodicDomain::Point PeriodicDomain::place(NodeId n, Dart vertex) const {
+  const MultiMesh& tree = data_->tree;
+  if (n == NodeId::root) {
+    DartBuffer copies;
+    tree.to_child(tile(), vertex, 0, copies);
+    vertex = copies.front();
+  } else {
+    vertex = tree.to_ancestor(n, vertex, tile());
+  }
+  return positions()[tree.mesh(tile()).vertex(vertex)];
+}
+
+double PeriodicDomain::mismatch() const {
+  const MultiMesh& tree = data_->tree;
+  const Mesh& mesh = tree.mesh(tile());
+  std::vector<Index> first(tree.mesh(NodeId::root).capacity(0), no_index);
+  double largest = 0;
+  for (Index v = 0; v < mesh.capacity(0); ++v) {
+    if (!mesh.is_live(0, v) || mesh.dart_of(0, v) == no_dart) continue;
+    Index& one = first[tree.mesh(NodeId::root).vertex(tree.to_parent(tile(), mesh.dart_of(0, v)))];
+    if (one == no_index) one = v;
+    largest = std::max(largest, (common_place(v) - common_place(one)).norm());
+  }
+  return largest / diagonal();
+}
+
+Outcome PeriodicDomain::move(Propagation& propagation, NodeId n, Dart vertex, const Point& by) {
+  MultiMesh& tree = data_->tree;
+  tree.require_dart(n, vertex);
+  const Mesh& root = tree.mesh(NodeId::root);
+  if (root.is_locked(root.vertex(tree.to_root(n, vertex)))) return {{Check::locked, NodeId::root, {}}};
+  return propagation.relocate(n, vertex, [&](const Event& e) {
+    for (const Copy& c : e.copies.of(tile())) {
+      const Index v = tree.mesh(tile()).vertex(c.dart);
+      positions().set(v, positions()[v] + by);
+    }
+  });
+}
+
+std::optional<NodeId> PeriodicDomain::add_surface() {
+  return data_->add_sides(false);
+}
+std::optional<NodeId> PeriodicDomain::add_cuts() {
+  return data_->add_sides(true);
+}
+
+std::optional<NodeId> PeriodicDomain::add_interfaces() {
+  const Mesh& root = data_->tree.mesh(NodeId::root);
+  const int d = root.dimension();
+  DartBuffer cofacets, in_tile;
+  return data_->add_faces(NodeId::root, [&](Dart face) {
+    root.star(face, d - 1, cofacets);
+    if (cofacets.size() != 2) return false;
+    std::array<PeriodicTile::Region, 2> region{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      in_tile.clear();
+      data_->tree.to_child(tile(), cofacets[i], d, in_tile);
+      region[i] = data_->region(data_->tree.mesh(tile()).facet(in_tile.front()));
+    }
+    return region[0] != region[1];
+  });
+}
+
+PeriodicTile::Region PeriodicDomain::region(Index tile_facet) const {
+  return data_->region(tile_facet);
+}
+
+}  // namespace multimesh

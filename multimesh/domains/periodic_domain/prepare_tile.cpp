@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "multimesh/domains/periodic_domain/glue_tile.hpp"
+#include "multimesh/domains/periodic_domain/match_sides.hpp"
+#include "multimesh/domains/periodic_domain/open_sides.hpp"
+#include "multimesh/domains/periodic_domain/quotient_edges.hpp"
+#include "multimesh/domains/periodic_domain/refine_tile.hpp"
+
+namespace multimesh {
+
+namespace {
+
+void check_lists(const PeriodicTile& in) {
+  if (in.facets.dimension != 2 && in.facets.dimension != 3)
+    throw InputError("a periodic tile has dimension 2 or 3, not " + std::to_string(in.facets.dimension));
+  if (in.facets.corners.empty() || in.facets.corners.size() % in.facets.corners_per_facet() != 0)
+    throw InputError("the tile has " + std::to_string(in.facets.corners.size()) + " corners, not " +
+                     std::to_string(in.facets.corners_per_facet()) + " per facet");
+  if (!in.regions.empty() && in.regions.size() != in.facets.size())
+    throw InputError("the tile has " + std::to_string(in.facets.size()) + " facets and " +
+                     std::to_string(in.regions.size()) + " regions of facets");
+  FacetList facets = in.facets;
+  facets.vertices = static_cast<Index>(in.points.size());
+  require_corners(facets, [](std::size_t f) { return "facet " + std::to_string(f) + " of the tile"; });
+  for (const Index v : facets.corners)
+    if (!Eigen::Vector3d(in.points[v].data()).allFinite())
+      throw InputError("the coordinates of vertex " + std::to_string(v) + " are not finite");
+}
+
+Lattice lattice_of(const PeriodicOptions& options, const Eigen::Vector3d& extents, double tolerance) {
+  Eigen::Matrix3d periods = extents.asDiagonal();
+  if (std::none_of(options.axes.begin(), options.axes.end(), [](bool on) { return on; }))
+    throw InputError("the tile has no periodic axis");
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
+    if (options.periods) periods.col(i) = Eigen::Vector3d((*options.periods)[axis].data());
+    if (options.axes[axis] && !(periods.col(i).norm() > 4 * tolerance))
+      throw InputError(std::string("the tile has no extent along ") + "xyz"[i] +
+                       ": that axis is not periodic");
+  }
+  return Lattice(options.axes, periods);
+}
+
+// Copies get the place of their representative, shifted. Those that fit but for rounding stay: a tile that
+// was written is read as it was, with its thinnest facets.
+void fit_copies(LabelledTile& tile, const Lattice& lattice, VertexClasses& classes, PeriodicReport& report,
+                double diagonal) {
+  constexpr double rounding = 1e-15;
+  for (Index v = 0; v < tile.point.size(); ++v) {
+    if (tile.vertex_class[v] == no_index) continue;
+    const Eigen::Vector3d place = tile.point[classes.representative(v)] + lattice.shift(tile.offset[v]);
+    const double distance = (place - tile.point[v]).norm() / diagonal;
+    report.largest_shift = std::max(report.largest_shift, distance);
+    if (distance > rounding) tile.point[v] = place;
+  }
+}
+
+void make_proper(LabelledTile& tile, bool refine, PeriodicReport& report) {
+  if (const auto reason = too_short(QuotientEdges(tile))) {
+    if (!refine)
+      throw InputError("the glued tile is no simplicial complex: " + *reason +
+                       ". Refine the tile (PeriodicOptions::refine), or make it of several cells");
+    const std::size_t before = tile.facets.size();
+    report.split_edges = refine_tile(tile);
+    report.added_facets = tile.facets.size() - before;
+  }
+  if (const auto pair = double_facet(tile))
+    throw InputError("facets " + std::to_string(tile.input_facet[(*pair)[0]]) + " and " +
+                     std::to_string(tile.input_facet[(*pair)[1]]) + " of the tile lie at the same place");
+}
+
+}  // namespace
+
+PreparedTile prepare_tile(const PeriodicTile& input, const PeriodicOptions& options, PeriodicReport& report) {
+  check_lists(input);
+  LabelledTile tile;
+  tile.facets = input.facets;
+  tile.facets.vertices = static_cast<Index>(input.points.size());
+  for (const auto& p : input.points) tile.point.emplace_back(p.data());
+  for (Index f = 0; f < tile.facets.size(); ++f) tile.input_facet.push_back(f);
+
+  std::vector<Index> used = tile.facets.corners;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  Eigen::Vector3d low = tile.point[used[0]], high = low;
+  for (const Index v : used) low = low.cwiseMin(tile.point[v]), high = high.cwiseMax(tile.point[v]);
+  const double diagonal = (high - low).norm();
+  if (!(options.tolerance > 0 && options.tolerance < 0.1))
+    throw InputError("the tolerance of a periodic tile must be between 0 and 0.1 of its diagonal");
+  if (!(diagonal > 0)) throw InputError("all vertices of the tile lie at the same place");
+  const double tolerance = options.tolerance * diagonal;
+
+  Lattice lattice = lattice_of(options, high - low, tolerance);
+  VertexClasses classes(tile.point.size());
+  std::vector<LatticeVector> vectors;
+  if (options.pairs.empty()) {
+    vectors = vectors_within(lattice, tile.point, used, tolerance);
+    match_sides(lattice, tile.point, used, vectors, tolerance, classes);
+  } else {
+    match_pairs(lattice, tile.point, options.pairs, tolerance, classes);
+  }
+
+  // Representatives that are no corner of a facet (pairs of a file may name such vertices) count as well.
+  std::vector<Index> number(tile.point.size(), no_index);
+  tile.vertex_class.assign(tile.point.size(), no_index);
+  tile.offset.resize(tile.point.size());
+  for (const Index v : used) {
+    Index& n = number[classes.representative(v)];
+    if (n == no_index) n = tile.classes++;
+    tile.vertex_class[v] = n;
+    tile.offset[v] = classes.offset(v);
+  }
+  fit_copies(tile, lattice, classes, report, diagonal);
+  require_no_open_sides(tile, lattice, vectors, tolerance);
+  make_proper(tile, options.refine, report);
+  return {std::move(tile), std::move(lattice), diagonal};
+}
+
+}  // namespace multimesh

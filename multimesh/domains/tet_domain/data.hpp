@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Private to the files tet_domain*.cpp.
+#pragma once
+
+#include "adapters/openmesh/connectivity.hpp"
+#include "adapters/tet/simplex_map.hpp"
+#include "multimesh/domains/tet_domain.hpp"
+
+namespace multimesh {
+
+/// The lists are properties of their meshes: they grow with them, and move along when they are compacted.
+struct TetDomain::Data {
+  std::unique_ptr<MultiMesh> tree;
+  tet::TetMesh* mesh = nullptr;
+  tet::Property<Point>* points = nullptr;
+  tet::Property<Tag>* regions = nullptr;
+  tet::Property<Index>* copy_of = nullptr;  // of vertices that are one input point: its index + 1; else 0
+  tet::Property<char>* locked_by_cut = nullptr;        // of vertices: nothing but a copied edge locks it
+  tet::SimplexProperty<char>* copied_edges = nullptr;  // that occur more than once, or are sides of a parted
+                                                       // face
+  tet::SimplexProperty<char>* parted_faces = nullptr;  // that occur more than once
+  tet::Property<Index>* fixed =
+      nullptr;  // of vertices in the list of fixed points: the place there + 1; else 0
+  tet::Property<Tag>* point_tags = nullptr;
+  tet::Property<std::uint8_t>* tet_flags = nullptr;
+  std::vector<Tag> fixed_tags;  // per fixed point of the input; so are the flags
+  std::vector<std::uint8_t> fixed_flags;
+  std::optional<NodeId> surface, curves;
+  std::vector<Tag>* patches = nullptr;  // per triangle of the surface; so are the flags
+  std::vector<std::uint8_t>* triangle_flags = nullptr;
+  std::vector<char>* implied = nullptr;    // per triangle of the surface: it is there as boundary only
+  std::vector<Tag>* curve_tags = nullptr;  // per edge of the curves; so are the flags
+  std::vector<std::uint8_t>* curve_flags = nullptr;
+  TetDomainReport report;
+
+  OpenMesh::PolyConnectivity& openmesh(NodeId n) {
+    return dynamic_cast<openmesh::Connectivity&>(tree->mesh(n)).openmesh();
+  }
+};
+
+/// How the root and the input belong together.
+struct JoinedMesh {
+  std::vector<Index> source;  // per root vertex: its input point
+  tet::SimplexMap beyond;     // of parted faces, by their root vertices: a tetrahedron of another copy
+};
+
+/// Makes the root.
+JoinedMesh add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data& out);
+/// Finds the edges and faces that the cut has made several of.
+void find_copies(TetDomain::Data& out, JoinedMesh& joined);
+void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
+                 TetDomain::Data& out);
+/// Flags of simplex i of a list, or of one that is not in it: i is no_index.
+inline std::uint8_t flags_of(const std::vector<std::uint8_t>& flags, Index i) {
+  if (i == no_index) return unlisted_simplex;
+  return flags.empty() ? std::uint8_t{0} : flags[i];
+}
+
+/// \pre the surface, if any, has been added
+void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
+                TetDomain::Data& out);
+
+}  // namespace multimesh

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "multimesh/coordinates.hpp"
+#include "multimesh/operations.hpp"
+
+namespace multimesh {
+
+/// A tree of meshes with all that an algorithm needs to work on any mesh of it: which values are coordinates
+/// and of what kind, what else follows the operations, and what no operation may break. Domains hold one;
+/// an algorithm works on an EmbeddedMesh.
+class Embedding {
+ public:
+  enum class Kind {
+    space,  ///< where the vertices are
+    chart,  ///< a place in the plane, as texture coordinates; triangles there may not turn over
+  };
+
+  explicit Embedding(MultiMesh& tree) : operations_(tree) {}
+  /// What follows these operations already, and stands in their way, belongs to it.
+  explicit Embedding(const Propagation& operations) : operations_(operations) {}
+
+  const MultiMesh& tree() const noexcept { return operations_.tree(); }
+
+  /// An attribute or an invariant, which is owned.
+  template <class T, class... Arguments>
+  T& add(Arguments&&... arguments) {
+    auto owned = std::make_shared<T>(std::forward<Arguments>(arguments)...);
+    operations_.add(*owned);
+    owned_.push_back(owned);
+    return *owned;
+  }
+  /// One that is not, and must outlive it.
+  void add(Attribute& a) { operations_.add(a); }
+  void add(Invariant& i) { operations_.add(i); }
+  void set(const LegalityOptions& o) { operations_.set(o); }
+
+  /// The coordinates that an attribute has, which follows the operations already.
+  template <class T>
+  Coordinates& add_coordinates(VertexAttribute<T>& values, Kind kind) {
+    coordinates_.push_back({std::make_unique<CoordinatesOf<T>>(values), kind});
+    return *coordinates_.back().coordinates;
+  }
+
+ private:
+  friend class EmbeddedMesh;
+  struct Known {
+    std::unique_ptr<Coordinates> coordinates;
+    Kind kind;
+  };
+  Coordinates* find(NodeId n, Kind kind) const;
+
+  Propagation operations_;
+  std::vector<std::shared_ptr<void>> owned_;
+  std::vector<Known> coordinates_;
+};
+
+/// One mesh of an embedding while an algorithm runs on it: operations that carry all that the embedding has,
+/// and its coordinates in space, those of the nearest mesh above if it has none of its own. The embedding
+/// must outlive it, and be added to no more; the tree may be changed by others in between, if the vertices of
+/// this mesh keep their places.
+class EmbeddedMesh {
+ public:
+  /// \throw UsageError if there are no coordinates in space. Cost: linear, if they are those of a mesh above
+  EmbeddedMesh(const Embedding& embedding, NodeId n);
+
+  NodeId node() const noexcept { return node_; }
+  const MultiMesh& tree() const noexcept { return operations_.tree(); }
+  const Mesh& mesh() const noexcept { return mesh_; }
+  Propagation& operations() noexcept { return operations_; }
+  Coordinates& positions() const noexcept { return *positions_; }
+  /// What its operations carry besides what the embedding has: positions that come from above.
+  std::vector<Attribute*> inherited() const;
+  /// Of the meshes of this dimension below it.
+  std::span<Coordinates* const> charts() const noexcept { return charts_; }
+
+ private:
+  NodeId node_;
+  Propagation operations_;
+  const Mesh& mesh_;
+  std::vector<std::unique_ptr<CoordinatesFromParent>> inherited_;
+  Coordinates* positions_ = nullptr;
+  std::vector<Coordinates*> charts_;
+};
+
+}  // namespace multimesh
