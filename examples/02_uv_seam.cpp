@@ -4,23 +4,12 @@
 #include <iostream>
 #include <string>
 
-#include "adapters/io/mesh_reader.hpp"
-#include "adapters/io/triangulate.hpp"
+#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 
 using namespace multimesh;
-
-TexturedTriangles read(const char* path) {
-  const io::PolygonSoup soup = io::read_mesh(path);
-  TexturedTriangles out;
-  for (const auto& p : soup.positions) out.positions.push_back({p[0], p[1], p[2]});
-  for (const auto& p : soup.texcoords) out.texcoords.push_back({p[0], p[1]});
-  for (const auto& [a, b, c] : io::triangulate(soup).triangles)
-    out.triangles.push_back({{{a.v, a.vt}, {b.v, b.vt}, {c.v, c.vt}}});
-  return out;
-}
 
 bool expect(bool fact, const std::string& what) {
   if (!fact) std::cerr << "wrong: " << what << '\n';
@@ -29,7 +18,8 @@ bool expect(bool fact, const std::string& what) {
 
 int main(int argc, char** argv) try {
   if (argc != 2) return std::cerr << "usage: 02_uv_seam MODEL.obj\n", 2;
-  TexturedSurface surface(read(argv[1]));
+  files::SurfaceFile file = files::read_surface(argv[1]);
+  TexturedSurface surface = files::take_surface(file);
   MultiMesh& tree = surface.tree();
   const NodeId texture = surface.texture().value(), seams = surface.seams().value();
   const Mesh& root = tree.mesh(NodeId::root);

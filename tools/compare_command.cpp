@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "adapters/files/surface_file.hpp"
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #include "tools/comparison_json.hpp"
@@ -11,7 +12,6 @@
 #include "tools/follow_paths.hpp"
 #include "tools/html_report.hpp"
 #include "tools/output_check.hpp"
-#include "tools/surface_file.hpp"
 #include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
@@ -92,8 +92,8 @@ Json side(Json counts) {
   return counts;
 }
 
-std::vector<std::string> write_page(const CompareArguments& a, const SurfaceFile& original,
-                                    const SurfaceFile& other, const SurfaceComparison& comparison) {
+std::vector<std::string> write_page(const CompareArguments& a, const files::SurfaceFile& original,
+                                    const files::SurfaceFile& other, const SurfaceComparison& comparison) {
   const Json j = to_json(comparison);
   return write_comparison_page(a.html,
                                original.path.filename().string() + " and " + other.path.filename().string(),
@@ -106,8 +106,9 @@ void run(const CompareArguments& a) {
     require_html_report();
     check_output_path(a.html, {a.original, a.other});
   }
-  SurfaceFile original = read_surface(a.original, a.weld), other = read_surface(a.other, a.weld);
-  original.follow_paths = other.follow_paths = a.follow_paths;
+  const files::SurfaceReadOptions how{a.weld, a.follow_paths};
+  const files::SurfaceFile original = files::read_surface(a.original, how),
+                           other = files::read_surface(a.other, how);
   CompareOptions options = a.options;
   options.per_vertex = !a.html.empty();
   const SurfaceComparison comparison = compare_surfaces(original.input, other.input, options);
@@ -120,7 +121,7 @@ void run(const CompareArguments& a) {
   } else {
     print(a, comparison);
   }
-  for (const SurfaceFile* file : {&original, &other})
+  for (const files::SurfaceFile* file : {&original, &other})
     for (const auto& w : file->warnings) std::cerr << "warning: " << file->path.string() << ": " << w << '\n';
   for (const std::string& note : notes) std::cerr << "warning: " << note << '\n';
   if (!std::cout.flush()) throw InputError("standard output: writing failed");

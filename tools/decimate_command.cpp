@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 
+#include "adapters/files/surface_file.hpp"
 #include "adapters/io/atomic_file.hpp"
 #include "multimesh/algorithms/texture_loss.hpp"
 #include "multimesh/domains/turn_reversed.hpp"
@@ -18,7 +19,7 @@
 #include "tools/html_report.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
-#include "tools/surface_file.hpp"
+#include "tools/warnings.hpp"
 #include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
@@ -76,10 +77,8 @@ class Run {
  public:
   explicit Run(const DecimateArguments& a)
       : a_(a),
-        file_(read_surface(a.input, a.weld)),
-        options_(decimate_options(a, file_.input.triangles.size())) {
-    file_.follow_paths = a.follow_paths;
-  }
+        file_(files::read_surface(a.input, {a.weld, a.follow_paths})),
+        options_(decimate_options(a, file_.input.triangles.size())) {}
 
   void decimate();
   void check_texture();
@@ -95,13 +94,12 @@ class Run {
     return (!a_.quiet || wants_report()) && may_have_lost_texture(options_, result_);
   }
   bool wants_report() const { return !a_.report.empty() || !a_.html.empty(); }
-  void write(const fs::path& path, const TexturedSurface& surface, std::vector<std::string>& warnings);
   void write_level(const TexturedSurface& surface, std::size_t level);
   void measure(Json& j);
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const DecimateArguments& a_;
-  SurfaceFile file_;
+  files::SurfaceFile file_;
   DecimateOptions options_;
   SurfaceTopology topology_;  ///< before
   DecimateResult result_;
@@ -114,18 +112,12 @@ class Run {
 
 void Run::write_level(const TexturedSurface& surface, std::size_t level) {
   const fs::path path = level_path(a_.output, level + 1);
-  std::vector<std::string> warnings;  // the same as for the last one
-  write(path, surface, warnings);
+  (void)write_if_same_mesh(path, topology_, surface, file_);  // warnings are the same as for the last one
   levels_.push_back({{"output", path.string()}, {"faces", surface.live_triangles()}});
 }
 
-void Run::write(const fs::path& path, const TexturedSurface& surface, std::vector<std::string>& warnings) {
-  write_if_same_mesh(path, topology_, surface,
-                     [&](const fs::path& to) { write_surface(to, surface, file_, warnings); });
-}
-
 void Run::decimate() {
-  TexturedSurface surface = take_surface(file_, surface_options(a_));
+  TexturedSurface surface = files::take_surface(file_, surface_options(a_));
   topology_ = topology_of(surface);
   if (wants_report()) before_ = to_json(surface);
   const bool show = !a_.quiet && isatty(STDERR_FILENO);
@@ -134,7 +126,7 @@ void Run::decimate() {
   options_.on_level = [&](std::size_t level) { write_level(surface, level); };
   result_ = multimesh::decimate(surface, options_);
   if (show) std::cerr << "\r";
-  write(a_.output, surface, file_.warnings);
+  add(write_if_same_mesh(a_.output, topology_, surface, file_), file_.warnings);
   if (wants_report()) after_ = to_json(surface);
   if (wants_comparison() || wants_texture_check()) left_ = surface.triangles(source_);
   seconds_ = seconds();
@@ -143,7 +135,7 @@ void Run::decimate() {
 /// Says if the texture was lost, and when.
 void Run::check_texture() {
   if (!wants_texture_check()) return;
-  SurfaceFile input = read_surface(a_.input);
+  files::SurfaceFile input = files::read_surface(a_.input);
   (void)turn_reversed(TexturedSurface(input.input), input.input);
   const auto loss = find_texture_loss(input.input, surface_options(a_), options_, result_, left_);
   if (!loss) return;
@@ -153,8 +145,7 @@ void Run::check_texture() {
 
 /// Against the input, which is read again: while the surface was decimated, its memory was better used.
 void Run::measure(Json& j) {
-  SurfaceFile input = read_surface(a_.input, a_.weld);
-  input.follow_paths = a_.follow_paths;
+  const files::SurfaceFile input = files::read_surface(a_.input, {a_.weld, a_.follow_paths});
   SurfaceComparison comparison =
       compare_surfaces(input.input, left_, {.topology = false, .per_vertex = !a_.html.empty()});
   const Json measured = to_json(comparison);

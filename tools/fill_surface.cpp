@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "adapters/files/formats.hpp"
 #include "adapters/io/weld.hpp"
 #include "adapters/tetgen/naming.hpp"
 #include "adapters/tetgen/worker_error.hpp"
@@ -28,10 +29,10 @@ void weld(io::SimplexSoup& soup, double tolerance, std::vector<std::string>& war
 }
 
 /// Objects and groups of surface files name what they enclose; groups of other files their surfaces only.
-tetgen::TriangleNames triangle_names(const DomainFile& file) {
+tetgen::TriangleNames triangle_names(const files::DomainFile& file) {
   tetgen::TriangleNames names;
   names.tags = file.soup.simplices[2].tags;
-  names.name_regions = is_surface_format(file.path);
+  names.name_regions = files::is_surface_format(file.path);
   for (const auto& g : file.soup.groups)
     if (g.dimension == 2) names.parts[g.tag] = {g.name, g.object};
   return names;
@@ -67,7 +68,7 @@ void keep_groups(const io::SimplexSoup& soup, const tetgen::Tetrahedralization& 
     if (g.dimension == 2 && used.contains(g.tag)) add_groups(2, {{g.tag, g.name}}, out.groups.groups);
 }
 
-FilledSurface with_names(tetgen::Tetrahedralization filled, DomainFile& file) {
+FilledSurface with_names(tetgen::Tetrahedralization filled, files::DomainFile& file) {
   const tetgen::Naming naming = tetgen::name_parts(filled, triangle_names(file));
   file.warnings.insert(file.warnings.end(), naming.warnings.begin(), naming.warnings.end());
   FilledSurface out;
@@ -115,7 +116,7 @@ std::string way_out(const tetgen::WorkerError& e) {
 
 }  // namespace
 
-FilledSurface fill_surface(DomainFile& file, const tetgen::TetrahedralizeOptions& options,
+FilledSurface fill_surface(files::DomainFile& file, const tetgen::TetrahedralizeOptions& options,
                            double weld_tolerance) {
   const std::string name = file.path.string();
   if (file.soup.simplices[2].size() == 0) throw InputError(name + ": has no triangle");

@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "adapters/files/domain_file.hpp"
 #include "adapters/tetgen/tetrahedralize.hpp"
-#include "tools/domain_file.hpp"
 
 namespace multimesh::tools {
 
 /// Tetrahedra of a surface, as they are to be written.
 struct FilledSurface {
   TaggedTetrahedra tets;
-  DomainGroups groups;  ///< of regions and patches, and the file's of curves and points
+  files::DomainGroups groups;  ///< of regions and patches, and the file's of curves and points
 };
 
 /// Fills what the triangles of a file enclose; points within the tolerance, a length, are one. Warnings are
 /// added to those of the file. \throw InputError, naming the file
-FilledSurface fill_surface(DomainFile& file, const tetgen::TetrahedralizeOptions& options,
+FilledSurface fill_surface(files::DomainFile& file, const tetgen::TetrahedralizeOptions& options,
                            double weld_tolerance = 0);
 
 /// x,y,z. \throw InputError naming the option

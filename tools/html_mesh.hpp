@@ -4,26 +4,26 @@
 #include <string>
 #include <vector>
 
-#include "multimesh/domains/textured_surface.hpp"
-#include "tools/mtl_materials.hpp"
-#include "tools/surface_file.hpp"
+#include "adapters/files/materials.hpp"
+#include "adapters/files/surface_file.hpp"
 
 namespace multimesh::tools {
 
 /// A mesh as a report shows it.
 struct HtmlMesh {
-  std::string caption = {};              ///< its file name, for instance
-  TexturedTriangles surface = {};        ///< labels are not looked at
-  std::vector<Material> materials = {};  ///< those in use
-  std::vector<Index> material = {};      ///< per triangle, into materials; empty: all of the first
-  std::vector<std::string> notes = {};   ///< what could not be shown as the file has it
+  std::string caption = {};                     ///< its file name, for instance
+  TexturedTriangles surface = {};               ///< labels are not looked at
+  std::vector<files::Material> materials = {};  ///< those in use
+  std::vector<Index> material = {};             ///< per triangle, into materials; empty: all of the first
+  std::vector<std::string> notes = {};          ///< what could not be shown as the file has it
 };
 
 /// A file with its materials.
-HtmlMesh html_mesh(const SurfaceFile& file);
+HtmlMesh html_mesh(const files::SurfaceFile& file);
 
 /// What was made of a file: `source` is the triangle of `file.input` that each triangle of `surface` comes
 /// from, as TexturedSurface::triangles gives it. The caption is the caller's to set.
-HtmlMesh html_mesh(TexturedTriangles surface, const std::vector<Index>& source, const SurfaceFile& file);
+HtmlMesh html_mesh(TexturedTriangles surface, const std::vector<Index>& source,
+                   const files::SurfaceFile& file);
 
 }  // namespace multimesh::tools

@@ -69,13 +69,13 @@ Contents contents(const HtmlReport& report, Json& notes) {
 
 Json describe(const HtmlMesh& mesh, bool included, HtmlTextures& textures) {
   Json materials = Json::array();
-  for (const Material& m : mesh.materials) {
+  for (const files::Material& m : mesh.materials) {
     Json texture = nullptr;
     if (included && !m.texture.empty()) texture = textures.number(m.texture);
     materials.push_back({{"name", m.name}, {"color", m.color}, {"texture", texture}});
   }
   if (materials.empty())
-    materials.push_back({{"name", ""}, {"color", Material().color}, {"texture", nullptr}});
+    materials.push_back({{"name", ""}, {"color", files::Material().color}, {"texture", nullptr}});
   return {{"caption", mesh.caption},
           {"triangles", mesh.surface.triangles.size()},
           {"included", included},

@@ -4,18 +4,21 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <numbers>
 #include <sstream>
 
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #ifdef MULTIMESH_WITH_IMPROVE
 #include "adapters/io/atomic_file.hpp"
+#include "adapters/io/naming.hpp"
 #include "multimesh/algorithms/improve.hpp"
-#include "tools/domain_input.hpp"
+#include "tools/domain_arguments.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/quality_json.hpp"
+#include "tools/warnings.hpp"
 #endif
 
 namespace multimesh::tools {
@@ -29,8 +32,9 @@ struct ImproveArguments {
   std::vector<std::string> locked_patches;
   double feature_angle = 0;
   ImproveOptions options;
-  DomainInputOptions taken;
-  bool ascii = false, msh_2 = false, progress = false;
+  files::DomainReadOptions taken;
+  SimplexFormat format;
+  bool progress = false;
 };
 
 constexpr const char* split_names[] = {"none", "exact", "rounded"};
@@ -152,27 +156,18 @@ void run(ImproveArguments a) {
   show_progress(a);
   check_output_path(a.output, {a.input});
   if (!a.json.empty()) check_output_path(a.json, {a.input, a.output});
-  DomainFile file = read_domain_input(a.input, a.taken, false);
-  a.options.locked_regions = tags_of_groups(file, 3, a.options.locked_regions, "--lock-region");
+  files::DomainFile file = files::read_domain(a.input, a.taken);
+  a.options.locked_regions = files::tags_of_groups(file, 3, a.options.locked_regions, "--lock-region");
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
   for (int i = 0; i < 3; ++i)
     if (a.splits == split_names[i]) a.options.surface_splits = static_cast<SurfaceSplits>(i);
-  a.options.locked_patches = tags_of_patches(file, a.locked_patches, "--lock-patch");
-  TetDomain domain(take_tetrahedra(file), options);
-  for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
+  a.options.locked_patches = files::tags_of_patches(file, a.locked_patches, "--lock-patch");
+  TetDomain domain = files::take_domain(file, options);
   const TetTopology before = topology_of(domain.tagged());
-  const ImproveResult r = [&] {
-    try {
-      return improve(domain, a.options);
-    } catch (const InputError& e) {
-      throw InputError(a.input + ": " + e.what());
-    }
-  }();
-  write_if_same_mesh(a.output, before, domain, [&](const std::filesystem::path& path) {
-    write_domain(path, domain, {file.soup.groups, file.soup.tag_sets},
-                 {a.ascii, a.msh_2, {false, a.feature_angle > 0, false}}, file.warnings);
-  });
+  const ImproveResult r = io::naming(a.input, [&] { return improve(domain, a.options); });
+  const files::DomainWriteOptions how{a.format.options(), {false, a.feature_angle > 0, false}};
+  add(write_if_same_mesh(a.output, before, DomainResult(domain), file.groups(), how), file.warnings);
   for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
   if (!a.json.empty()) {
     Json j = to_json(a, r);
@@ -236,9 +231,8 @@ void add_improve_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag("--progress", a->progress, "report on stderr, also if it is no terminal");
   add_weld_options(*command, a->taken);
-  add_periodic_option(*command, a->taken);
-  command->add_flag("--ascii", a->ascii, "text instead of binary, where the format has both");
-  command->add_flag("--msh2", a->msh_2, "MSH 2.2 instead of 4.1");
+  add_periodic_option(*command, a->taken.no_periodic);
+  add_format_options(*command, a->format);
   command->add_option("--json", a->json, "write a report");
   command->footer(
       "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --json report.json\n\n"

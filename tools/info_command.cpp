@@ -2,12 +2,12 @@
 #include <iostream>
 #include <memory>
 
+#include "adapters/files/formats.hpp"
+#include "adapters/files/polylines.hpp"
+#include "adapters/files/surface_file.hpp"
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
-#include "tools/curve_file.hpp"
-#include "tools/domain_file.hpp"
 #include "tools/domain_json.hpp"
-#include "tools/surface_file.hpp"
 #include "tools/surface_json.hpp"
 #include "tools/weld_arguments.hpp"
 
@@ -21,8 +21,8 @@ struct InfoArguments {
   bool json = false;
 };
 
-Json contents_json(const SurfaceFile& file) {
-  const FileContents& c = file.contents;
+Json contents_json(const files::SurfaceFile& file) {
+  const files::FileContents& c = file.contents;
   return {{"positions", c.positions},
           {"texcoords", c.texcoords},
           {"normals", c.normals},
@@ -40,7 +40,7 @@ Json contents_json(const SurfaceFile& file) {
           {"material_libraries", file.material_libraries}};
 }
 
-Json describe(const SurfaceFile& file, const TexturedSurface& surface) {
+Json describe(const files::SurfaceFile& file, const TexturedSurface& surface) {
   Json j;
   j["file"] = file.path.string();
   j["contents"] = contents_json(file);
@@ -109,7 +109,7 @@ void print(const Json& j) {
 }
 
 Json describe_curves(const io::PolygonSoup& soup, const std::string& path) {
-  const PolylineReport r = report_polylines(soup);
+  const files::PolylineReport r = files::report_polylines(soup);
   return {
       {"file", path},
       {"contents", {{"positions", soup.positions.size()}, {"polylines", soup.line_count()}, {"faces", 0}}},
@@ -133,7 +133,7 @@ void print_curves(const Json& j) {
   for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
 }
 
-Json describe(DomainFile& file) {
+Json describe(files::DomainFile& file) {
   Json j;
   j["file"] = file.path.string();
   Json groups = Json::array();
@@ -146,10 +146,8 @@ Json describe(DomainFile& file) {
   for (const auto& set : file.soup.tag_sets)
     j["contents"]["tags_of_several_groups"].push_back(
         {{"dimension", set.dimension}, {"tag", set.tag}, {"groups", set.groups}});
-  const TetDomain domain(take_tetrahedra(file));
-  j["meshes"] = to_json(report(domain));
+  j["meshes"] = to_json(report(files::take_domain(file)));
   j["warnings"] = file.warnings;
-  for (const std::string& w : warnings_of(domain.report())) j["warnings"].push_back(w);
   return j;
 }
 
@@ -194,15 +192,15 @@ void add_info_command(CLI::App& app, int& exit_code) {
     const std::string& path = arguments->input;
     const auto tell_polygons = [&](io::PolygonSoup soup) {
       if (soup.face_count() == 0) return tell(describe_curves(soup, path), print_curves);
-      const SurfaceFile file = to_surface(std::move(soup), path, arguments->weld);
+      const files::SurfaceFile file = files::to_surface(std::move(soup), path, {.weld = arguments->weld});
       tell(describe(file, TexturedSurface(file.input)), print);
     };
-    if (is_surface_format(path)) {
-      tell_polygons(read_polygons(path, true));
-    } else if (DomainFile file = read_domain_file(path); file.soup.simplices[3].size() > 0) {
+    if (files::is_surface_format(path)) {
+      tell_polygons(files::read_polygons(path, true));
+    } else if (files::DomainFile file = files::read_simplices(path); file.has_tetrahedra()) {
       tell(describe(file), print_domain_file);
     } else {
-      tell_polygons(polygons_of(file));
+      tell_polygons(files::polygons_of(file));
     }
     if (!std::cout.flush()) throw InputError("standard output: writing failed");
     exit_code = done;

@@ -30,8 +30,9 @@ std::filesystem::path beside(const std::filesystem::path& output) {
   return path;
 }
 
-void write_or_keep_aside(const std::filesystem::path& output, const std::vector<std::string>& faults,
-                         const Write& write) {
+template <class Write>
+std::vector<std::string> write_or_keep_aside(const std::filesystem::path& output,
+                                             const std::vector<std::string>& faults, const Write& write) {
   if (faults.empty()) return write(output);
   const auto aside = beside(output);
   write(aside);
@@ -43,16 +44,22 @@ void write_or_keep_aside(const std::filesystem::path& output, const std::vector<
 
 }  // namespace
 
-void write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
-                        const TetDomain& domain, const Write& write, double displacement) {
-  const TaggedTetrahedra joined = domain.tagged();
-  const double moved = std::max(displacement, rounding_of(joined));
-  write_or_keep_aside(output, differences(before, topology_of(joined), moved), write);
+std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
+                                            DomainResult after, const files::DomainGroups& groups,
+                                            const files::DomainWriteOptions& options, double displacement) {
+  const double moved = std::max(displacement, rounding_of(after.lists));
+  return write_or_keep_aside(output, differences(before, after.topology, moved),
+                             [&](const std::filesystem::path& path) {
+                               return files::write_domain(path, std::move(after.lists), groups, options);
+                             });
 }
 
-void write_if_same_mesh(const std::filesystem::path& output, const SurfaceTopology& before,
-                        const TexturedSurface& surface, const Write& write) {
-  write_or_keep_aside(output, differences(before, topology_of(surface)), write);
+std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output,
+                                            const SurfaceTopology& before, const TexturedSurface& surface,
+                                            const files::SurfaceFile& file) {
+  return write_or_keep_aside(
+      output, differences(before, topology_of(surface)),
+      [&](const std::filesystem::path& path) { return files::write_surface(path, surface, file); });
 }
 
 }  // namespace multimesh::tools

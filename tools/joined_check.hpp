@@ -2,23 +2,36 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <string>
+#include <vector>
 
+#include "adapters/files/domain_file.hpp"
+#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/surface_topology.hpp"
 #include "multimesh/algorithms/tet_topology.hpp"
 
 namespace multimesh::tools {
 
-using Write = std::function<void(const std::filesystem::path&)>;
+// Each compares the result with what it was before. If they differ, that is a fault of ours: the result is
+// written to a path beside the output, and an InputError names it and what differs. An older file at the
+// output's path is left alone then.
 
-/// Calls `write` with the output's path if the tetrahedra, joined as a reader of the file will join them,
-/// have the topology, boundary and volumes that they had before. If not, that is a fault of ours: `write`
-/// gets a path beside the output, and an InputError names it and what differs. An older file at the output's
-/// path is left alone then. `displacement`: by how far points of the surface may have been moved on purpose.
-void write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
-                        const TetDomain& domain, const Write& write, double displacement = 0);
-/// The same of a surface.
-void write_if_same_mesh(const std::filesystem::path& output, const SurfaceTopology& before,
-                        const TexturedSurface& surface, const Write& write);
+/// A domain as plain lists, and their mesh, joined as a reader of the file will join them.
+struct DomainResult {
+  TaggedTetrahedra lists;
+  TetTopology topology;
+  explicit DomainResult(const TetDomain& domain) : lists(domain.tagged()), topology(topology_of(lists)) {}
+};
+
+/// Writes a domain, if it has the topology, boundary and volumes that it had before. `displacement`: by how
+/// far points of the surface may have been moved on purpose. \return as files::write_domain()
+std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
+                                            DomainResult after, const files::DomainGroups& groups,
+                                            const files::DomainWriteOptions& options,
+                                            double displacement = 0);
+/// Writes a surface, if it has the topology that it had before. \return as files::write_surface()
+std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output,
+                                            const SurfaceTopology& before, const TexturedSurface& surface,
+                                            const files::SurfaceFile& file);
 
 }  // namespace multimesh::tools

@@ -3,7 +3,7 @@
 
 #include <system_error>
 
-#include "adapters/io/gunzip.hpp"
+#include "adapters/files/formats.hpp"
 #include "adapters/io/output_path.hpp"
 #include "multimesh/error.hpp"
 
@@ -22,10 +22,7 @@ void check_output_path(const std::filesystem::path& output,
 
 void check_surface_output(const std::filesystem::path& output) {
   check_output_path(output, {});
-  const std::string extension = io::format_extension(output);
-  const bool is_known =
-      extension == ".obj" || extension == ".ply" || extension == ".off" || extension == ".stl";
-  if (!is_known || output.extension() == ".gz")
+  if (!files::is_surface_format(output) || output.extension() == ".gz")
     throw InputError(output.string() +
                      ": only OBJ, PLY, OFF and STL files are written; give a name that ends in .obj");
 }

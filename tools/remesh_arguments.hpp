@@ -6,7 +6,7 @@
 
 #include "adapters/io/weld_surface.hpp"
 #include "multimesh/algorithms/remesh.hpp"
-#include "tools/domain_input.hpp"
+#include "tools/domain_arguments.hpp"
 #include "tools/surface_json.hpp"
 
 namespace multimesh::tools {
@@ -20,11 +20,12 @@ struct RemeshArguments {
   io::SurfaceWeldOptions weld;
 
   // Of tetrahedra.
-  std::string weld_text;  ///< as it was given
+  bool weld_given = false, uv_weld_given = false;
   double target_amips = 10;
   std::vector<std::string> locked_patches;
   std::vector<TetDomain::Tag> locked_regions;
-  bool no_periodic = false, ascii = false, msh_2 = false;
+  bool no_periodic = false;
+  SimplexFormat format;
 };
 
 Json to_json(const RemeshArguments& a, const RemeshResult& r);

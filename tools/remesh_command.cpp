@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "adapters/files/surface_file.hpp"
 #include "adapters/io/atomic_file.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/geometry/bounding_box.hpp"
@@ -17,9 +18,9 @@
 #include "tools/output_check.hpp"
 #include "tools/remesh_arguments.hpp"
 #include "tools/remesh_tetrahedra.hpp"
-#include "tools/surface_file.hpp"
 #include "tools/surface_json.hpp"
 #include "tools/surface_paths.hpp"
+#include "tools/warnings.hpp"
 #include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
@@ -126,24 +127,21 @@ void run(RemeshArguments& a) {
   if (remesh_if_tetrahedra(a)) return;
 #endif
   check_paths(a);
-  SurfaceFile file = read_surface(a.input, a.weld);
-  file.follow_paths = a.follow_paths;
+  files::SurfaceFile file = files::read_surface(a.input, {a.weld, a.follow_paths});
   a.options.length =
       a.length > 0 ? a.length : a.relative_length * bounding_box_diagonal(file.input.positions);
   if (!(a.options.length > 0)) throw InputError(a.input + ": the surface has no extent; give --length");
   TexturedSurfaceOptions curves;
   if (a.feature_angle > 0) curves.feature_angle = a.feature_angle * std::numbers::pi / 180;
   curves.keep_label_borders = a.preserve_materials;
-  TexturedSurface surface = take_surface(file, curves);
+  TexturedSurface surface = files::take_surface(file, curves);
   check_faces(a, surface);
   Json before;
   if (!a.report.empty()) before = tools::to_json(surface);
   const SurfaceTopology topology = topology_of(surface);
   const RemeshResult result = remesh(surface, a.options);
   warn_of_lengths(a, result, file.warnings);
-  write_if_same_mesh(a.output, topology, surface, [&](const std::filesystem::path& to) {
-    write_surface(to, surface, file, file.warnings);
-  });
+  add(write_if_same_mesh(a.output, topology, surface, file), file.warnings);
   if (!a.report.empty()) {
     Json j = to_json(a, result);
     j["before"] = before;
@@ -182,7 +180,8 @@ void add_remesh_command(CLI::App& app, int& exit_code) {
       "is\n"
       "longer than twice the length or shorter than a quarter of it.");
   command->callback([a, command, &exit_code] {
-    if (command->count("--weld") > 0) a->weld_text = command->get_option("--weld")->as<std::string>();
+    a->weld_given = command->count("--weld") > 0;
+    a->uv_weld_given = command->count("--uv-weld") > 0;
     run(*a);
     exit_code = done;
   });

@@ -8,13 +8,16 @@
 #include <numbers>
 #include <sstream>
 
+#include "adapters/files/formats.hpp"
 #include "adapters/io/atomic_file.hpp"
+#include "adapters/io/naming.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/algorithms/remesh_domain.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/quality_json.hpp"
+#include "tools/warnings.hpp"
 
 namespace multimesh::tools {
 
@@ -36,12 +39,13 @@ void refuse_options(const RemeshArguments& a, bool tetrahedra) {
     refuse(a.options.lock_boundary, "--lock-boundary (for tetrahedra: --lock-patch)");
     refuse(!a.preserve_materials, "--no-preserve-materials");
     refuse(a.follow_paths, "--follow-paths");
+    refuse(a.uv_weld_given, "--uv-weld");
   } else {
     refuse(!a.locked_patches.empty(), "--lock-patch");
     refuse(!a.locked_regions.empty(), "--lock-region");
     refuse(a.no_periodic, "--no-periodic");
-    refuse(a.ascii, "--ascii");
-    refuse(a.msh_2, "--msh2");
+    refuse(a.format.ascii, "--ascii");
+    refuse(a.format.msh_2, "--msh2");
   }
 }
 
@@ -52,12 +56,12 @@ double diagonal(const TetDomain& domain) {
   return box.diagonal().norm();
 }
 
-DomainRemeshOptions options_of(const RemeshArguments& a, const DomainFile& file) {
+DomainRemeshOptions options_of(const RemeshArguments& a, const files::DomainFile& file) {
   DomainRemeshOptions o;
   static_cast<RemeshOptions&>(o) = static_cast<const RemeshOptions&>(a.options);
   o.target_amips = a.target_amips;
-  o.locked_patches = tags_of_patches(file, a.locked_patches, "--lock-patch");
-  o.locked_regions = tags_of_groups(file, 3, a.locked_regions, "--lock-region");
+  o.locked_patches = files::tags_of_patches(file, a.locked_patches, "--lock-patch");
+  o.locked_regions = files::tags_of_groups(file, 3, a.locked_regions, "--lock-region");
   return o;
 }
 
@@ -86,42 +90,32 @@ void warn_of_volumes(const TetTopology& before, const TetTopology& after,
 }
 
 // Nothing keeps parts of the surface from coming together that are nearer to each other than the length.
-void warn_of_contact(const TetDomain& domain, std::vector<std::string>& warnings) {
-  const std::size_t n = hanging_points(domain.tagged()).size();
+void warn_of_contact(const TaggedTetrahedra& lists, std::vector<std::string>& warnings) {
+  const std::size_t n = hanging_points(lists).size();
   if (n > 0)
     warnings.push_back("the surface touches itself: " + std::to_string(n) +
                        " points lie in the middle of an edge or a face of it; a shorter length keeps parts "
                        "of it apart");
 }
 
-void run(RemeshArguments& a, DomainFile& file) {
+void run(RemeshArguments& a, files::DomainFile& file) {
   check_output_path(a.output, {a.input});
   if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
   TetDomainOptions curves;
   if (a.feature_angle > 0) curves.feature_angle = a.feature_angle * std::numbers::pi / 180;
-  TetDomain domain(take_tetrahedra(file), curves);
-  for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
+  TetDomain domain = files::take_domain(file, curves);
   a.options.length = a.length > 0 ? a.length : a.relative_length * diagonal(domain);
   const DomainReport before = report(domain);
-  const DomainRemeshResult result = [&] {
-    try {
-      return remesh(domain, options_of(a, file));
-    } catch (const InputError& e) {
-      throw InputError(a.input + ": " + e.what());
-    }
-  }();
-  const DomainReport after = report(domain);
+  const DomainRemeshResult result = io::naming(a.input, [&] { return remesh(domain, options_of(a, file)); });
+  DomainResult output(domain);
+  const DomainReport after = report(domain, output.topology);
   warn_of_lengths(a, result.surface, file.warnings);
   warn_of_tetrahedra(result.tetrahedra, a.target_amips, file.warnings);
   warn_of_volumes(before.tets, after.tets, file.warnings);
-  warn_of_contact(domain, file.warnings);
-  write_if_same_mesh(
-      a.output, before.tets, domain,
-      [&](const std::filesystem::path& path) {
-        write_domain(path, domain, {file.soup.groups, file.soup.tag_sets},
-                     {a.ascii, a.msh_2, {false, a.feature_angle > 0, false}}, file.warnings);
-      },
-      a.options.length);
+  warn_of_contact(output.lists, file.warnings);
+  const files::DomainWriteOptions how{a.format.options(), {false, a.feature_angle > 0, false}};
+  add(write_if_same_mesh(a.output, before.tets, std::move(output), file.groups(), how, a.options.length),
+      file.warnings);
   if (!a.report.empty()) {
     Json j = to_json(a, result.surface);
     j["before"] = to_json(before);
@@ -153,28 +147,21 @@ void add_tetrahedra_options(CLI::App& command, RemeshArguments& a) {
       ->group(group);
   command.add_option("--lock-region", a.locked_regions, "regions that are not touched, by their tags")
       ->group(group);
-  command
-      .add_flag("--no-periodic", a.no_periodic,
-                "take a periodic mesh as any other; its sides need not match afterwards")
-      ->group(group);
-  command.add_flag("--ascii", a.ascii, "text instead of binary, where the format has both")->group(group);
-  command.add_flag("--msh2", a.msh_2, "MSH 2.2 instead of 4.1")->group(group);
+  add_periodic_option(command, a.no_periodic)->group(group);
+  add_format_options(command, a.format, group);
 }
 
 bool remesh_if_tetrahedra(RemeshArguments& a) {
-  if (is_surface_format(a.input)) {
+  if (files::is_surface_format(a.input)) {
     refuse_options(a, false);
     return false;
   }
-  DomainFile file = read_domain_file(a.input);
-  const bool tetrahedra = file.soup.simplices[3].size() > 0;
-  refuse_options(a, tetrahedra);
-  if (!tetrahedra) return false;
-  DomainInputOptions taken;
-  taken.weld = a.weld_text;
-  taken.no_weld = !a.weld.positions;
-  taken.no_periodic = a.no_periodic;
-  prepare_domain_input(file, taken, false);
+  files::DomainFile file = files::read_simplices(a.input);
+  refuse_options(a, file.has_tetrahedra());
+  if (!file.has_tetrahedra()) return false;
+  prepare(file, {.weld = a.weld_given ? std::optional(a.weld.tolerance) : std::nullopt,
+                 .no_weld = !a.weld.positions,
+                 .no_periodic = a.no_periodic});
   run(a, file);
   return true;
 }

@@ -7,11 +7,12 @@
 #include "multimesh/error.hpp"
 #include "multimesh/geometry/bounding_box.hpp"
 #include "tools/command.hpp"
-#include "tools/domain_input.hpp"
+#include "tools/domain_arguments.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
+#include "tools/warnings.hpp"
 #ifdef MULTIMESH_WITH_TETGEN
 #include "adapters/tetgen/missed_bounds.hpp"
 #include "tools/fill_surface.hpp"
@@ -32,13 +33,15 @@ struct TetrahedralizeArguments {
   double minutes = 10, weld = 0;
   std::string keep = "winding";
   std::vector<std::string> regions, holes;
-  DomainInputOptions taken;
-  bool split_surface = false, lock_surface = false, ascii = false, msh_2 = false, json = false;
+  files::DomainReadOptions taken;
+  SimplexFormat format;
+  bool split_surface = false, lock_surface = false, json = false;
 };
 
 constexpr const char* keep_names[] = {"winding", "even-odd", "all"};
 
-tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a, const DomainFile& file) {
+tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a,
+                                             const files::DomainFile& file) {
   tetgen::TetrahedralizeOptions o;
   o.keep = a.keep == "all"       ? tetgen::Keep::all
            : a.keep == "winding" ? tetgen::Keep::winding
@@ -48,7 +51,7 @@ tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a, c
   o.max_volume = a.max_volume;
   o.edge_length = a.length;
   if (a.relative_length > 0) {
-    o.edge_length = a.relative_length * bounding_box_diagonal(triangles_of(file).positions);
+    o.edge_length = a.relative_length * bounding_box_diagonal(files::triangles_of(file).positions);
   }
   o.radius_edge_ratio = a.ratio;
   o.min_dihedral = a.dihedral;
@@ -77,30 +80,28 @@ void split_longer(TetDomain& domain, double length, const TetrahedralizeArgument
 }
 
 /// What the mesh misses of the sizes that were asked for.
-std::vector<std::string> missed(const TetDomain& domain, const tetgen::TetrahedralizeOptions& options) {
-  TaggedTetrahedra t = domain.tagged();
-  tetgen::TetrahedraList mesh;
-  mesh.points = std::move(t.points);
-  mesh.tets = std::move(t.tets);
-  return tetgen::missed_bounds(mesh, t.triangles, options);
+std::vector<std::string> missed(const TaggedTetrahedra& t, const tetgen::TetrahedralizeOptions& options) {
+  return tetgen::missed_bounds({t.points, t.tets}, t.triangles, options);
 }
 
-void run(const TetrahedralizeArguments& a) {
+void run(TetrahedralizeArguments& a) {
   check_output_path(a.output, {a.input});
   const bool splits = a.split_surface || (!a.lock_surface && (a.length > 0 || a.relative_length > 0));
-  DomainFile file = read_domain_input(a.input, a.taken, !splits);
+  a.taken.sides_stay = !splits;
+  files::DomainFile file = files::read_domain(a.input, a.taken);
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
   const tetgen::TetrahedralizeOptions sizes = tetgen_options(a, file);
   const FilledSurface filled = fill_surface(file, sizes, a.weld);
   TetDomain domain(filled.tets, options);
   split_longer(domain, sizes.edge_length, a);
-  for (std::string& w : missed(domain, sizes)) file.warnings.push_back(std::move(w));
-  for (const std::string& w : warnings_of(domain.report())) file.warnings.push_back(w);
-  write_if_same_mesh(a.output, topology_of(filled.tets), domain, [&](const std::filesystem::path& path) {
-    write_domain(path, domain, filled.groups, {a.ascii, a.msh_2, {true, true, true}}, file.warnings);
-  });
-  Json j = to_json(report(domain));
+  DomainResult output(domain);
+  add(missed(output.lists, sizes), file.warnings);
+  add(files::warnings_of(domain.report()), file.warnings);
+  Json j = to_json(report(domain, output.topology));
+  add(write_if_same_mesh(a.output, topology_of(filled.tets), std::move(output), filled.groups,
+                         {a.format.options(), {true, true, true}}),
+      file.warnings);
   add_names(filled.groups.groups, j);
   if (a.json) {
     j["warnings"] = file.warnings;
@@ -185,9 +186,8 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
                  "the surface keeps its triangles, also where their edges are longer than --edge-length")
       ->excludes(split);
   command->add_option("--time-limit", a->minutes, "minutes")->check(positive_number())->capture_default_str();
-  add_periodic_option(*command, a->taken);
-  command->add_flag("--ascii", a->ascii, "text instead of binary, where the format has both");
-  command->add_flag("--msh2", a->msh_2, "MSH 2.2 instead of 4.1");
+  add_periodic_option(*command, a->taken.no_periodic);
+  add_format_options(*command, a->format);
   command->add_flag("--json", a->json, "print a report as JSON");
   command->footer(
       "The surface, with its tags (1 if it has none), and sharp curves are written as triangles and edges of "

@@ -2,16 +2,15 @@
 #include <iostream>
 #include <memory>
 
+#include "adapters/files/formats.hpp"
+#include "adapters/files/polylines.hpp"
+#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/surface_topology.hpp"
 #include "multimesh/algorithms/tet_topology.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/validate.hpp"
 #include "tools/command.hpp"
-#include "tools/curve_file.hpp"
-#include "tools/domain_file.hpp"
-#include "tools/domain_input.hpp"
 #include "tools/domain_json.hpp"
-#include "tools/surface_file.hpp"
 #include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
@@ -62,11 +61,11 @@ Findings examine(const TexturedTriangles& input, std::vector<std::string> warnin
   return f;
 }
 
-Findings examine(DomainFile& file) {
+Findings examine(files::DomainFile& file) {
   Findings f{std::move(file.warnings), {}};
   f.add(file.soup.notes.doubled, "elements are listed again with the same points and tag");
-  f.add(count_coincident(file.soup), "points are at the place of another one, which --weld 0 joins");
-  const TaggedTetrahedra tets = take_tetrahedra(file);
+  f.add(files::count_coincident(file.soup), "points are at the place of another one, which --weld 0 joins");
+  const TaggedTetrahedra tets = files::take_tetrahedra(file);
   f.add(hanging_points(tets).size(),
         "points lie in the middle of an edge or a face of the boundary: the mesh does not conform there");
   f.add(topology_of(tets).crowded_faces, "faces have three or more tetrahedra");
@@ -95,7 +94,7 @@ void add_weld(const io::SurfaceWeldReport& weld, Findings& f) {
 
 Findings examine_curves(const io::PolygonSoup& soup) {
   Findings f{soup.warnings, {}};
-  const PolylineReport r = report_polylines(soup);
+  const files::PolylineReport r = files::report_polylines(soup);
   f.add(r.collapsed, "edges go from a vertex to itself");
   f.facts.push_back("no faces; " + std::to_string(r.curves.edges) + " edges in " +
                     std::to_string(r.curves.curves) + " curves");
@@ -104,7 +103,7 @@ Findings examine_curves(const io::PolygonSoup& soup) {
 
 Findings examine(io::PolygonSoup soup, const std::string& path, const io::SurfaceWeldOptions& weld) {
   if (soup.face_count() == 0) return examine_curves(soup);
-  SurfaceFile file = to_surface(std::move(soup), path, weld);
+  files::SurfaceFile file = files::to_surface(std::move(soup), path, {.weld = weld});
   Findings f = examine(file.input, std::move(file.warnings));
   add_weld(file.weld, f);
   f.add(file.contents.repeated_faces, "faces repeat an earlier one");
@@ -113,10 +112,10 @@ Findings examine(io::PolygonSoup soup, const std::string& path, const io::Surfac
 }
 
 Findings examine(const std::string& path, const io::SurfaceWeldOptions& weld) {
-  if (is_surface_format(path)) return examine(read_polygons(path, true), path, weld);
-  DomainFile file = read_domain_file(path);
-  if (file.soup.simplices[3].size() > 0) return examine(file);
-  return examine(polygons_of(file), path, weld);
+  if (files::is_surface_format(path)) return examine(files::read_polygons(path, true), path, weld);
+  files::DomainFile file = files::read_simplices(path);
+  if (file.has_tetrahedra()) return examine(file);
+  return examine(files::polygons_of(file), path, weld);
 }
 
 void print(const std::string& path, const Findings& f) {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <string>
-#include <vector>
 
 #include "adapters/io/weld_surface.hpp"
 #include "tools/surface_json.hpp"
@@ -15,8 +13,5 @@ void add_weld_options(CLI::App& command, io::SurfaceWeldOptions& o);
 
 Json to_json(const io::SurfaceWeldOptions& o);
 Json to_json(const io::SurfaceWeldReport& r);
-
-/// What was joined, and what may have to be, in sentences.
-std::vector<std::string> weld_warnings(const io::SurfaceWeldReport& r, const io::SurfaceWeldOptions& o);
 
 }  // namespace multimesh::tools

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "adapters/io/mesh_reader.hpp"
+#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/operations.hpp"
@@ -14,18 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr double around = 0.6, towards = -0.15;  // the view
-
-TexturedTriangles read(const char* path) {
-  const io::PolygonSoup soup = io::read_mesh(path);
-  TexturedTriangles input;
-  for (const auto& p : soup.positions) input.positions.emplace_back(p[0], p[1], p[2]);
-  for (const auto& p : soup.texcoords) input.texcoords.emplace_back(p[0], p[1]);
-  for (std::size_t f = 0; f < soup.face_count(); ++f) {
-    auto& t = input.triangles.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) t[i] = {soup.face(f)[i].v, soup.face(f)[i].vt};
-  }
-  return input;
-}
 
 TexturedTriangles coarse(const TexturedTriangles& input, std::size_t faces) {
   TexturedSurface surface(input);
@@ -212,7 +200,7 @@ int main(int argc, char** argv) try {
     std::cerr << "Usage: draw_figures SPOT.obj DIRECTORY\n";
     return 2;
   }
-  const auto spot = read(argv[1]);
+  const auto spot = files::read_surface(argv[1]).input;
   surface_and_texture(spot, argv[2]);
   operations_across_a_seam(spot, argv[2]);
   remeshed(spot, argv[2]);

@@ -27,9 +27,13 @@ double min_dihedral(const Point (&p)[4]) {
 }  // namespace
 
 DomainReport report(const TetDomain& domain) {
+  return report(domain, topology_of(domain.tagged()));
+}
+
+DomainReport report(const TetDomain& domain, TetTopology joined) {
   DomainReport r;
   const tet::TetMesh& mesh = domain.mesh();
-  r.tets = topology_of(domain.tagged());
+  r.tets = std::move(joined);
   r.min_dihedral = std::numbers::pi;
   for (Index t = 0; t < mesh.capacity(3); ++t) {
     if (!mesh.is_live(3, t)) continue;

@@ -30,5 +30,7 @@ struct DomainReport {
 
 /// Cost: sorting
 DomainReport report(const TetDomain& domain);
+/// The same, for those who know the topology of domain.tagged().
+DomainReport report(const TetDomain& domain, TetTopology joined);
 
 }  // namespace multimesh

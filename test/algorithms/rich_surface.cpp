@@ -5,21 +5,12 @@
 #include <map>
 #include <random>
 
-#include "adapters/io/obj_reader.hpp"
-#include "adapters/io/triangulate.hpp"
+#include "adapters/files/surface_file.hpp"
 
 namespace multimesh::test {
 
 const TexturedTriangles& spot() {
-  static const TexturedTriangles surface = [] {
-    const io::PolygonSoup soup = io::read_obj(MULTIMESH_EXAMPLE_DATA "/spot/spot.obj");
-    TexturedTriangles s;
-    for (const auto& p : soup.positions) s.positions.push_back({p[0], p[1], p[2]});
-    for (const auto& p : soup.texcoords) s.texcoords.push_back({p[0], p[1]});
-    for (const auto& t : io::triangulate(soup).triangles)
-      s.triangles.push_back({{{t[0].v, t[0].vt}, {t[1].v, t[1].vt}, {t[2].v, t[2].vt}}});
-    return s;
-  }();
+  static const TexturedTriangles surface = files::read_surface(MULTIMESH_EXAMPLE_DATA "/spot/spot.obj").input;
   return surface;
 }
 

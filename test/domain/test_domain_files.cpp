@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <random>
 
+#include "adapters/files/domain_file.hpp"
 #include "adapters/io/repeated_simplices.hpp"
 #include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/simplex_writer.hpp"
@@ -19,18 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TaggedTetrahedra tagged(const io::SimplexSoup& soup) {
-  const auto n = static_cast<Index>(soup.points.size());
-  TaggedTetrahedra t;
-  t.points = soup.points;
-  t.fixed = soup.simplices[0].corners;
-  t.edges = {1, n, soup.simplices[1].corners};
-  t.edge_tags = soup.simplices[1].tags;
-  t.triangles = {2, n, soup.simplices[2].corners};
-  t.patches = soup.simplices[2].tags;
-  t.tets = {3, n, soup.simplices[3].corners};
-  t.regions = soup.simplices[3].tags;
-  return t;
+TaggedTetrahedra tagged(io::SimplexSoup soup) {
+  files::DomainFile file{{}, std::move(soup), {}};
+  return files::take_tetrahedra(file);
 }
 
 io::SimplexSoup soup(const TaggedTetrahedra& t) {

@@ -5,9 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "adapters/io/periodic_links.hpp"
-#include "adapters/io/simplex_reader.hpp"
-#include "adapters/io/simplex_writer.hpp"
+#include "adapters/files/tile_file.hpp"
 #include "multimesh/validate.hpp"
 #include "test/periodic/periodic_storm.hpp"
 #include "test/periodic/recut.hpp"
@@ -16,33 +14,9 @@
 namespace multimesh::test {
 namespace {
 
-io::SimplexSoup soup_of(const PeriodicDomain& domain) {
-  const PeriodicTile tile = domain.tile_lists();
-  const auto d = static_cast<std::size_t>(tile.facets.dimension);
-  io::SimplexSoup soup;
-  soup.points = tile.points;
-  soup.simplices[d].corners = tile.facets.corners;
-  soup.simplices[d].tags = tile.regions;
-  soup.simplices[d].tags.resize(tile.facets.size());
-  std::vector<io::PeriodicFaces> faces;
-  for (const PeriodicSide& side : domain.sides()) {
-    const Eigen::Vector3d t = domain.lattice().shift(side.shift);
-    faces.push_back({name_of(side.shift), {t[0], t[1], t[2]}, side.master.corners, side.slave.corners});
-  }
-  io::add_periodic_faces(soup, tile.facets.dimension - 1, faces);
-  return soup;
-}
-
-PeriodicDomain domain_of(const io::SimplexSoup& soup) {
-  const int d = soup.dimension();
-  const auto& facets = soup.simplices[static_cast<std::size_t>(d)];
-  const io::PeriodicPairs links = io::periodic_pairs(soup);
-  PeriodicTile tile;
-  tile.points = soup.points;
-  tile.facets.dimension = d;
-  tile.facets.corners = facets.corners;
-  tile.regions = facets.tags;
-  return PeriodicDomain(tile, options_of_pairs(links.pairs, links.translations));
+PeriodicDomain read_again(const std::filesystem::path& path) {
+  const files::TileFile file = files::read_tile(path);
+  return PeriodicDomain(file.tile, file.options);
 }
 
 /// Area or volume by region; in a tile of triangles as seen along z.
@@ -78,15 +52,16 @@ void expect_same(const PeriodicDomain& a, const PeriodicDomain& b) {
   for (const auto& [region, size] : before) EXPECT_NEAR(after.at(region), size, 1e-12) << region;
 }
 
+/// Of a file, for as long as it lives.
+struct Folder {
+  std::filesystem::path path = std::filesystem::temp_directory_path() /
+                               ("multimesh_periodic_" + std::to_string(std::random_device()()));
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+};
+
 class PeriodicOutput : public testing::TestWithParam<std::tuple<int, Recut>> {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("multimesh_periodic_" + std::to_string(std::random_device()()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// A torus that was cut up, in regions 3 and 8.
   static RecutTorus torus(unsigned seed) {
     std::mt19937 random(seed);
@@ -95,7 +70,7 @@ class PeriodicOutput : public testing::TestWithParam<std::tuple<int, Recut>> {
     for (std::size_t f = 0; f < t.tile.facets.size(); ++f) t.tile.regions.push_back(random() % 4 ? 8 : 3);
     return t;
   }
-  std::filesystem::path folder_;
+  Folder folder_;
 };
 
 TEST_P(PeriodicOutput, IsReadAgainAfterAStorm) {
@@ -106,12 +81,11 @@ TEST_P(PeriodicOutput, IsReadAgainAfterAStorm) {
     ASSERT_TRUE(domain.add_interfaces());
     PeriodicStorm storm(domain, seed, true);
     for (int i = 0; i < 500; ++i) storm.step();
-    const io::SimplexSoup soup = soup_of(domain);
     for (const auto version : {io::MshVersion::v2_2, io::MshVersion::v4_1})
       for (const bool binary : {false, true}) {
-        const auto path = folder_ / "tile.msh";
-        EXPECT_EQ(io::write_simplices(path, soup, {version, binary}), std::vector<std::string>{});
-        expect_same(domain, domain_of(io::read_simplices(path)));
+        const auto path = folder_.path / "tile.msh";
+        EXPECT_EQ(files::write_tile(path, domain, {}, {version, binary}), std::vector<std::string>{});
+        expect_same(domain, read_again(path));
       }
   }
 }
@@ -180,7 +154,9 @@ TEST(PeriodicBox, IsReadAgainAfterACornerMoved) {
   domain.attach(propagation);
   const Dart corner = domain.tree().mesh(domain.tile()).dart_of(0, 0);
   ASSERT_TRUE(domain.move(propagation, domain.tile(), corner, {0.03, 0.02, 0.01}));
-  expect_same(domain, domain_of(soup_of(domain)));
+  const Folder folder;
+  files::write_tile(folder.path / "tile.msh", domain);
+  expect_same(domain, read_again(folder.path / "tile.msh"));
 }
 
 TEST(LatticeBasis, GeneratesWhatItWasGiven) {

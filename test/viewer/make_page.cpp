@@ -20,9 +20,9 @@ HtmlError made_up_error(const std::string& name, const TexturedTriangles& after,
 }
 
 int make_page(int argc, char** argv) {
-  const SurfaceFile before = read_surface(argv[2]);
-  SurfaceFile after = read_surface(argv[3]);
-  after.follow_paths = true;  // its textures are those beside the file that it was made from
+  const files::SurfaceFile before = files::read_surface(argv[2]);
+  // Its textures are those beside the file that it was made from.
+  const files::SurfaceFile after = files::read_surface(argv[3], {.follow_paths = true});
   HtmlReport report{.title = before.path.filename().string() + " → " + after.path.filename().string(),
                     .before = html_mesh(before),
                     .after = html_mesh(after)};

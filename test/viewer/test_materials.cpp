@@ -14,9 +14,9 @@ const std::string png = "\x89PNG\r\n\x1a\n rest";
 
 class Materials : public InDirectory {
  protected:
-  std::vector<Material> read(const std::string& mtl) {
+  std::vector<files::Material> read(const std::string& mtl) {
     file("sub/m.mtl", mtl);
-    return read_materials({"sub/m.mtl"}, directory / "in.obj", notes);
+    return files::read_materials({"sub/m.mtl"}, directory / "in.obj", notes);
   }
   std::vector<std::string> notes;
 };
@@ -61,7 +61,7 @@ TEST_F(Materials, PerTriangleInTheOrderOfTheMesh) {
   file("in.obj",
        "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nusemtl red\nf 2 4 3\nusemtl none\nf 4 2 "
        "1\n");
-  const SurfaceFile in = read_surface(directory / "in.obj");
+  const files::SurfaceFile in = files::read_surface(directory / "in.obj");
   const HtmlMesh mesh = html_mesh(in);
   ASSERT_EQ(mesh.materials.size(), 3U);
   EXPECT_EQ(mesh.material, (std::vector<Index>{0, 1, 2}));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a project that uses all of our libraries writes: core, openmesh, io, algorithms, spatial, compare and
-// remesh.
+// What a project that uses all of our libraries writes: core, openmesh, io, algorithms, files, spatial,
+// compare and remesh.
 #include <cstdio>
 #include <exception>
 
+#include "adapters/files/surface_file.hpp"
 #include "adapters/io/obj_reader.hpp"
 #include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/algorithms/compare.hpp"
@@ -20,14 +21,7 @@ constexpr const char* square =
 
 int main() try {
   using namespace multimesh;
-  const io::PolygonSoup soup = io::parse_obj(square, "square.obj");
-  TexturedTriangles input;
-  for (const auto& p : soup.positions) input.positions.push_back({p[0], p[1], p[2]});
-  for (const auto& p : soup.texcoords) input.texcoords.push_back({p[0], p[1]});
-  for (std::size_t f = 0; f < soup.face_count(); ++f)
-    input.triangles.push_back({{{soup.face(f)[0].v, soup.face(f)[0].vt},
-                                {soup.face(f)[1].v, soup.face(f)[1].vt},
-                                {soup.face(f)[2].v, soup.face(f)[2].vt}}});
+  const TexturedTriangles input = files::to_surface(io::parse_obj(square, "square.obj"), "square.obj").input;
   TexturedSurface surface(input);
   const DecimateResult result = decimate(surface, {.faces = 1});
   const auto& root = dynamic_cast<const openmesh::Connectivity&>(surface.tree().mesh(NodeId::root));

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/surface_file.hpp"
+#include "adapters/files/surface_file.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
+#include "adapters/files/formats.hpp"
 #include "adapters/io/mesh_reader.hpp"
+#include "adapters/io/naming.hpp"
+#include "adapters/io/polygons_to_simplices.hpp"
+#include "adapters/io/soup_check.hpp"
 #include "adapters/io/triangulate.hpp"
 #include "multimesh/domains/shading.hpp"
 #include "multimesh/domains/turn_reversed.hpp"
 #include "multimesh/error.hpp"
-#include "tools/domain_file.hpp"
-#include "tools/domain_input.hpp"
-#include "tools/weld_arguments.hpp"
 
-namespace multimesh::tools {
+namespace multimesh::files {
 
 namespace {
 
@@ -115,20 +119,52 @@ void take_triangles(io::PolygonSoup& soup, SurfaceFile& file, Normals& normals) 
   add_count(file.warnings, partly, "triangles have texture coordinates on some corners only; they lose them");
 }
 
-void check_size(const SurfaceFile& file) {
-  try {
-    multimesh::check_size(file.input);
-  } catch (const InputError& e) {
-    throw InputError(file.path.string() + ": " + e.what());
-  }
+/// The next power of ten, for instance 1e-05.
+std::string rounded_up(double x) {
+  std::ostringstream text;
+  text << std::pow(10.0, std::ceil(std::log10(x)));
+  return text.str();
+}
+
+/// What was joined, and what may have to be, in sentences.
+std::vector<std::string> weld_warnings(const io::SurfaceWeldReport& r, const io::SurfaceWeldOptions& o) {
+  std::vector<std::string> w;
+  const auto add = [&](std::size_t n, const std::string& what) {
+    if (n > 0) w.push_back(std::to_string(n) + " " + what);
+  };
+  add(r.welded, std::string(o.tolerance > 0 ? "vertices as near as the tolerance to another one"
+                                            : "vertices at exactly the place of another one") +
+                    " are joined with it; --no-weld keeps them apart");
+  add(r.copied_faces, "faces are copies of an earlier one at the same place; left out");
+  add(r.blended_colors, "vertices are joined with one of another colour; they have the mean colour now");
+  add(r.texcoords,
+      "corners have texture coordinates that differ from others at their vertex by rounding only; "
+      "they are joined");
+  if (r.near_texcoords > r.textured_vertices / 100)  // a few are chance
+    add(r.near_texcoords,
+        "vertices have texture coordinates that are nearly equal, but seams; if they are meant "
+        "to be equal, which hinders a run much, join them by --uv-weld " +
+            rounded_up(r.near_texcoord_distance));
+  return w;
 }
 
 }  // namespace
 
+io::PolygonSoup polygons_of(const DomainFile& file) {
+  if (file.soup.points.size() > std::numeric_limits<std::int32_t>::max())
+    throw InputError(file.path.string() + ": more than 2147483647 points are too many for a surface");
+  if (file.soup.simplices[2].size() + file.soup.simplices[1].size() == 0)
+    throw InputError(file.path.string() + ": has no tetrahedra, triangles or edges");
+  io::PolygonSoup soup = io::to_grouped_polygons(file.soup);
+  soup.warnings = file.warnings;
+  io::clean_faces(soup, file.path.string(), false);
+  return soup;
+}
+
 io::PolygonSoup read_polygons(const std::filesystem::path& path, bool keep_lines) {
   if (is_surface_format(path)) return io::read_mesh(path, {.keep_lines = keep_lines});
-  DomainFile file = read_domain_file(path);
-  if (file.soup.simplices[3].size() > 0)
+  DomainFile file = read_simplices(path);
+  if (file.has_tetrahedra())
     throw InputError(path.string() + ": has tetrahedra; give a surface, or use `multimesh improve`");
   if (file.soup.simplices[2].size() == 0 && !keep_lines)
     throw InputError(path.string() + ": has points or lines but no triangle; give a surface");
@@ -142,13 +178,14 @@ io::PolygonSoup read_polygons(const std::filesystem::path& path, bool keep_lines
 // Lists of the soup are given back one by one as the triangles take their place: both together would be the
 // largest thing in memory for a while.
 SurfaceFile to_surface(io::PolygonSoup soup, const std::filesystem::path& path,
-                       const io::SurfaceWeldOptions& weld) {
+                       const SurfaceReadOptions& options) {
   SurfaceFile file;
   file.path = path;
+  file.follow_paths = options.follow_paths;
   file.contents = contents(soup);
-  file.weld = io::weld_surface(soup, weld, path.string());
+  file.weld = io::weld_surface(soup, options.weld, path.string());
   file.warnings = std::move(soup.warnings);
-  for (std::string& w : weld_warnings(file.weld, weld)) file.warnings.push_back(std::move(w));
+  for (std::string& w : weld_warnings(file.weld, options.weld)) file.warnings.push_back(std::move(w));
   file.material_libraries = std::move(soup.material_libraries);
   file.materials = std::move(soup.materials);
   Normals normal_corners;
@@ -160,7 +197,7 @@ SurfaceFile to_surface(io::PolygonSoup soup, const std::filesystem::path& path,
   file.input.positions = taken<Vec3>(soup.positions);
   file.input.texcoords = taken<Vec2>(soup.texcoords);
   file.input.colors = taken<Vec3>(soup.colors);
-  check_size(file);
+  io::naming(path, [&] { check_size(file.input); });
   if (any_normal(normal_corners)) {
     const auto normals = taken<Vec3>(soup.normals);
     file.input.shading = shading(file.input, normals, normal_corners);
@@ -168,12 +205,13 @@ SurfaceFile to_surface(io::PolygonSoup soup, const std::filesystem::path& path,
   return file;
 }
 
-SurfaceFile read_surface(const std::filesystem::path& path, const io::SurfaceWeldOptions& weld) {
-  return to_surface(read_polygons(path), path, weld);
+SurfaceFile read_surface(const std::filesystem::path& path, const SurfaceReadOptions& options) {
+  return to_surface(read_polygons(path), path, options);
 }
 
 TexturedSurface take_surface(SurfaceFile& file, const TexturedSurfaceOptions& options) {
-  std::optional<TexturedSurface> surface(std::in_place, file.input, options);
+  std::optional<TexturedSurface> surface;
+  io::naming(file.path, [&] { surface.emplace(file.input, options); });
   if (const std::size_t turned = turn_reversed(*surface, file.input); turned > 0) {
     surface.emplace(file.input, options);
     add_count(file.warnings, turned, "triangles were turned round to agree with their neighbours");
@@ -182,4 +220,4 @@ TexturedSurface take_surface(SurfaceFile& file, const TexturedSurfaceOptions& op
   return std::move(*surface);
 }
 
-}  // namespace multimesh::tools
+}  // namespace multimesh::files

@@ -4,7 +4,7 @@
 #include "adapters/io/polygon_soup.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 
-namespace multimesh::tools {
+namespace multimesh::files {
 
 /// The polylines of a file as a graph.
 struct PolylineReport {
@@ -15,4 +15,4 @@ struct PolylineReport {
 
 PolylineReport report_polylines(const io::PolygonSoup& soup);
 
-}  // namespace multimesh::tools
+}  // namespace multimesh::files

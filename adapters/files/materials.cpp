@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/mtl_materials.hpp"
+#include "adapters/files/materials.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "adapters/io/material_library.hpp"
+#include "adapters/io/mtl.hpp"
 #include "adapters/io/mtl_rewrite.hpp"
 #include "adapters/io/text_cursor.hpp"
 
-namespace multimesh::tools {
+namespace multimesh::files {
 
 namespace {
 
@@ -105,4 +107,23 @@ void read_materials(const std::string& mtl, const fs::path& file, std::vector<Ma
   LibraryReader(file, file, follow_paths, materials, notes).read(mtl);
 }
 
-}  // namespace multimesh::tools
+MaterialsInUse materials_in_use(const SurfaceFile& file, const std::vector<Index>& source) {
+  MaterialsInUse in_use;
+  std::vector<Material> known =
+      read_materials(file.material_libraries, file.path, in_use.notes, file.follow_paths);
+  read_materials(io::mtl_text(file.materials), file.path, known, in_use.notes, file.follow_paths);
+  std::map<std::string, Index> number;
+  for (const Index t : source) {
+    const std::string& name = file.section_of(t).material;
+    const auto [at, is_new] = number.try_emplace(name, static_cast<Index>(in_use.materials.size()));
+    in_use.of_triangle.push_back(at->second);
+    if (!is_new) continue;
+    const auto found = std::ranges::find(known, name, &Material::name);
+    in_use.materials.push_back(found != known.end() ? *found : Material{.name = name});
+    if (found == known.end() && !name.empty() && !known.empty())
+      in_use.notes.push_back("material " + name + ": not in the material libraries; it is grey");
+  }
+  return in_use;
+}
+
+}  // namespace multimesh::files

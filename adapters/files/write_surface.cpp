@@ -3,6 +3,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "adapters/files/surface_file.hpp"
 #include "adapters/io/gunzip.hpp"
 #include "adapters/io/mtl.hpp"
 #include "adapters/io/obj_writer.hpp"
@@ -10,9 +11,8 @@
 #include "multimesh/domains/corner_normals.hpp"
 #include "multimesh/hash.hpp"
 #include "multimesh/version.hpp"
-#include "tools/surface_file.hpp"
 
-namespace multimesh::tools {
+namespace multimesh::files {
 
 namespace {
 
@@ -77,28 +77,33 @@ class SplitVertices {
   const io::SurfaceWeldReport& weld_;
 };
 
-}  // namespace
-
-void write_surface(const std::filesystem::path& path, const TexturedSurface& surface, const SurfaceFile& file,
-                   std::vector<std::string>& warnings) {
-  std::vector<Index> source;
-  const TexturedTriangles result = surface.triangles(source);
-  const CornerNormals normals = surface.has_normals() ? corner_normals(surface) : CornerNormals();
+/// Lists that the soup needs, without its faces.
+io::PolygonSoup values_of(const TexturedTriangles& surface, const CornerNormals& normals) {
   io::PolygonSoup out;
-  out.positions = numbers<3>(result.positions);
-  out.texcoords = numbers<2>(result.texcoords);
-  out.colors = numbers<3>(result.colors);
+  out.positions = numbers<3>(surface.positions);
+  out.texcoords = numbers<2>(surface.texcoords);
+  out.colors = numbers<3>(surface.colors);
   out.normals = numbers<3>(normals.normals);
-  out.sections = file.sections;
-  for (const std::size_t t : by_source(source)) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& c = result.triangles[t][i];
-      out.corners.push_back({c.position, c.texcoord, normals.corners.empty() ? -1 : normals.corners[t][i]});
-    }
-    out.face_begin.push_back(static_cast<std::uint32_t>(out.corners.size()));
-    out.face_section.push_back(file.section.empty() ? 0 : file.section[source[t]]);
+  return out;
+}
+
+void add_face(io::PolygonSoup& out, const TexturedTriangles& surface, const CornerNormals& normals,
+              std::size_t t, std::uint32_t section) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& c = surface.triangles[t][i];
+    out.corners.push_back({c.position, c.texcoord, normals.corners.empty() ? -1 : normals.corners[t][i]});
   }
-  if (file.weld.split_by_texcoord || file.weld.split_by_normal) SplitVertices(out, file.weld).run();
+  out.face_begin.push_back(static_cast<std::uint32_t>(out.corners.size()));
+  out.face_section.push_back(section);
+}
+
+/// `file`: where its materials come from.
+std::vector<std::string> write(const std::filesystem::path& path, io::PolygonSoup& out,
+                               const SurfaceFile& file, std::size_t uv_sets) {
+  std::vector<std::string> warnings;
+  if (uv_sets > 1)
+    warnings.push_back(path.string() + ": only the first of " + std::to_string(uv_sets) +
+                       " sets of texture coordinates is written");
   if (io::format_extension(path) == ".obj") {
     out.material_libraries = io::relocate_material_libraries(file.material_libraries, file.path, path,
                                                              warnings, file.follow_paths);
@@ -108,6 +113,30 @@ void write_surface(const std::filesystem::path& path, const TexturedSurface& sur
   } else {
     for (std::string& w : io::write_polygons(path, out)) warnings.push_back(std::move(w));
   }
+  return warnings;
 }
 
-}  // namespace multimesh::tools
+}  // namespace
+
+std::vector<std::string> write_surface(const std::filesystem::path& path, const TexturedSurface& surface,
+                                       const SurfaceFile& file) {
+  std::vector<Index> source;
+  const TexturedTriangles result = surface.triangles(source);
+  const CornerNormals normals = surface.has_normals() ? corner_normals(surface) : CornerNormals();
+  io::PolygonSoup out = values_of(result, normals);
+  out.sections = file.sections;
+  for (const std::size_t t : by_source(source))
+    add_face(out, result, normals, t, file.section.empty() ? 0 : file.section[source[t]]);
+  if (file.weld.split_by_texcoord || file.weld.split_by_normal) SplitVertices(out, file.weld).run();
+  return write(path, out, file, result.uv_sets());
+}
+
+std::vector<std::string> write_surface(const std::filesystem::path& path, const TexturedTriangles& surface) {
+  check(surface);
+  io::PolygonSoup out = values_of(surface, {});
+  out.sections.emplace_back();
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) add_face(out, surface, {}, t, 0);
+  return write(path, out, {}, surface.uv_sets());
+}
+
+}  // namespace multimesh::files

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/curve_file.hpp"
+#include "adapters/files/polylines.hpp"
 
 #include <algorithm>
 
 #include "multimesh/domains/make_mesh.hpp"
 
-namespace multimesh::tools {
+namespace multimesh::files {
 
 namespace {
 
@@ -41,4 +41,4 @@ PolylineReport report_polylines(const io::PolygonSoup& soup) {
   return r;
 }
 
-}  // namespace multimesh::tools
+}  // namespace multimesh::files

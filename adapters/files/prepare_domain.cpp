@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/domain_input.hpp"
-
+#include "adapters/files/domain_file.hpp"
 #include "adapters/io/matching_sides.hpp"
 #include "adapters/io/weld.hpp"
 #include "adapters/io/weld_simplices.hpp"
 #include "multimesh/error.hpp"
-#include "tools/number_check.hpp"
 
-namespace multimesh::tools {
-
-void add_weld_options(CLI::App& command, DomainInputOptions& options) {
-  auto* weld = command.add_option("--weld", options.weld,
-                                  "join points at most this far apart; 0: only those at one place");
-  weld->check(number([](double x) { return x >= 0; }, "0 or more", "DISTANCE"));
-  command.add_flag("--no-weld", options.no_weld, "do not tell of points at one place")->excludes(weld);
-}
-
-void add_periodic_option(CLI::App& command, DomainInputOptions& options) {
-  command.add_flag("--no-periodic", options.no_periodic,
-                   "take a periodic mesh as any other; its sides need not match afterwards");
-}
+namespace multimesh::files {
 
 std::size_t count_coincident(const io::SimplexSoup& soup) {
   const std::vector<std::uint32_t> joins = io::coincident_points(soup.points);
@@ -48,8 +34,8 @@ void weld(DomainFile& file, double tolerance) {
     throw InputError(file.path.string() + ": no element is left after welding; give a smaller --weld");
 }
 
-void weld_or_tell(DomainFile& file, const DomainInputOptions& options) {
-  if (!options.weld.empty()) return weld(file, std::stod(options.weld));
+void weld_or_tell(DomainFile& file, const DomainReadOptions& options) {
+  if (options.weld) return weld(file, *options.weld);
   if (options.no_weld || file.soup.simplices[3].size() == 0) return;
   if (const std::size_t n = count_coincident(file.soup); n > 0)
     file.warnings.push_back(std::to_string(n) +
@@ -57,7 +43,7 @@ void weld_or_tell(DomainFile& file, const DomainInputOptions& options) {
                             "--weld 0 joins them");
 }
 
-void check_periodic(DomainFile& file, const DomainInputOptions& options, bool sides_stay) {
+void check_periodic(DomainFile& file, const DomainReadOptions& options) {
   const std::size_t pairs = count_periodic_pairs(file.soup);
   if (pairs > 0 && !options.no_periodic)
     throw InputError(file.path.string() + ": the mesh is periodic ($Periodic, " + std::to_string(pairs) +
@@ -65,7 +51,7 @@ void check_periodic(DomainFile& file, const DomainInputOptions& options, bool si
                      "any other mesh");
   if (pairs > 0)
     file.warnings.push_back("the periodic links are dropped, " + std::to_string(pairs) + " pairs of points");
-  if (pairs > 0 || options.no_periodic || sides_stay) return;
+  if (pairs > 0 || options.no_periodic || options.sides_stay) return;
   std::string axes;
   for (const std::string& axis : io::axes_with_matching_sides(file.soup.points))
     axes += (axes.empty() ? "" : ", ") + axis;
@@ -77,16 +63,9 @@ void check_periodic(DomainFile& file, const DomainInputOptions& options, bool si
 
 }  // namespace
 
-DomainFile read_domain_input(const std::filesystem::path& path, const DomainInputOptions& options,
-                             bool sides_stay) {
-  DomainFile file = read_domain_file(path);
-  prepare_domain_input(file, options, sides_stay);
-  return file;
-}
-
-void prepare_domain_input(DomainFile& file, const DomainInputOptions& options, bool sides_stay) {
+void prepare(DomainFile& file, const DomainReadOptions& options) {
   weld_or_tell(file, options);
-  check_periodic(file, options, sides_stay);
+  check_periodic(file, options);
 }
 
-}  // namespace multimesh::tools
+}  // namespace multimesh::files

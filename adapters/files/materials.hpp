@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
-namespace multimesh::tools {
+#include "adapters/files/surface_file.hpp"
 
-/// What a report shows of a material.
+namespace multimesh::files {
+
+/// What is shown of a material.
 struct Material {
   std::string name;
   std::array<float, 3> color = {0.8F, 0.8F, 0.8F};  ///< Kd: red, green, blue in [0, 1]
@@ -27,4 +29,15 @@ std::vector<Material> read_materials(const std::vector<std::string>& libraries,
 void read_materials(const std::string& mtl, const std::filesystem::path& file,
                     std::vector<Material>& materials, std::vector<std::string>& notes, bool follow_paths);
 
-}  // namespace multimesh::tools
+/// The materials that triangles have.
+struct MaterialsInUse {
+  std::vector<Material> materials;
+  std::vector<Index> of_triangle;  ///< into materials
+  std::vector<std::string> notes;  ///< sentences on what was not found or is not used
+};
+
+/// Of the triangles of a file, or of what was made of them: `source` has the triangle of the input that each
+/// one comes from, as TexturedSurface::triangles() gives it.
+MaterialsInUse materials_in_use(const SurfaceFile& file, const std::vector<Index>& source);
+
+}  // namespace multimesh::files

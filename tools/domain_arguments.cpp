@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/domain_arguments.hpp"
+
+#include "tools/number_check.hpp"
+
+namespace multimesh::tools {
+
+void add_weld_options(CLI::App& command, files::DomainReadOptions& options) {
+  auto* weld = command.add_option("--weld", options.weld,
+                                  "join points at most this far apart; 0: only those at one place");
+  weld->check(number([](double x) { return x >= 0; }, "0 or more", "DISTANCE"));
+  command.add_flag("--no-weld", options.no_weld, "do not tell of points at one place")->excludes(weld);
+}
+
+CLI::Option* add_periodic_option(CLI::App& command, bool& no_periodic) {
+  return command.add_flag("--no-periodic", no_periodic,
+                          "take a periodic mesh as any other; its sides need not match afterwards");
+}
+
+void add_format_options(CLI::App& command, SimplexFormat& format, const std::string& group) {
+  command.add_flag("--ascii", format.ascii, "text instead of binary, where the format has both")
+      ->group(group);
+  command.add_flag("--msh2", format.msh_2, "MSH 2.2 instead of 4.1")->group(group);
+}
+
+}  // namespace multimesh::tools
