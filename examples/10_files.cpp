@@ -71,7 +71,9 @@ int main(int, char** arguments) try {
   convert_file(folder / "one.msh", folder / "one.vtu");
   const files::DomainFile converted = files::read_simplices(folder / "one.vtu");
 
-  files::write_tile(folder / "tile.msh", PeriodicDomain(square(4), {.axes = {true, true, false}}));
+  PeriodicOptions options;
+  options.axes = {true, true, false};
+  files::write_tile(folder / "tile.msh", PeriodicDomain(square(4), options));
   const PeriodicDomain torus = glue_file(folder / "tile.msh");
   std::cout << "Euler characteristic of the tile, glued: " << torus.report().euler << '\n';
 

@@ -8,18 +8,23 @@ namespace multimesh::files {
 
 namespace {
 
-/// The simplices that are to be written. \return which of them the input does not list
+using Tags = std::vector<std::int32_t>;
+using Flags = std::vector<std::uint8_t>;
+
+/// The simplices that are to be written. Tags and flags may be empty: none has any.
+/// \return which of them the input does not list
 std::vector<std::size_t> add_block(io::SimplexSoup::Block& block, std::size_t k,
-                                   const std::vector<Index>& corners, const std::vector<std::int32_t>& tags,
-                                   const std::vector<std::uint8_t>& flags, bool with_unlisted) {
+                                   const std::vector<Index>& corners, const Tags& tags, const Flags& flags,
+                                   bool with_unlisted) {
   std::vector<std::size_t> unlisted;
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    const bool is_listed = (flags[i] & unlisted_simplex) == 0;
+  for (std::size_t i = 0; i < corners.size() / (k + 1); ++i) {
+    const unsigned flag = flags.empty() ? 0U : flags[i];
+    const bool is_listed = (flag & unlisted_simplex) == 0;
     if (!is_listed && !with_unlisted) continue;
     if (!is_listed) unlisted.push_back(block.size());
     for (std::size_t c = 0; c <= k; ++c) block.corners.push_back(corners[(k + 1) * i + c]);
-    block.tags.push_back(tags[i]);
-    block.flags.push_back(flags[i] & (feature_simplex | required_simplex));
+    block.tags.push_back(tags.empty() ? 0 : tags[i]);
+    block.flags.push_back(static_cast<std::uint8_t>(flag & (feature_simplex | required_simplex)));
   }
   return unlisted;
 }
@@ -31,6 +36,7 @@ io::SimplexSoup to_soup(TaggedTetrahedra t, const DomainGroups& groups, const Do
   soup.points = std::move(t.points);
   if (std::ranges::any_of(t.point_tags, [](auto tag) { return tag != 0; }))
     soup.point_tags = std::move(t.point_tags);
+  t.regions.resize(t.tets.size());
   soup.simplices[3] = {std::move(t.tets.corners), std::move(t.regions), std::move(t.tet_flags)};
   auto& [points, edges, triangles, tets] = soup.simplices;
   const std::array<std::vector<std::size_t>, 3> unlisted = {

@@ -200,7 +200,7 @@ int main(int argc, char** argv) try {
     std::cerr << "Usage: draw_figures SPOT.obj DIRECTORY\n";
     return 2;
   }
-  const auto spot = files::read_surface(argv[1]).input;
+  const auto spot = multimesh::files::read_surface(argv[1]).input;
   surface_and_texture(spot, argv[2]);
   operations_across_a_seam(spot, argv[2]);
   remeshed(spot, argv[2]);

@@ -10,7 +10,11 @@
 namespace multimesh::test {
 
 const TexturedTriangles& spot() {
-  static const TexturedTriangles surface = files::read_surface(MULTIMESH_EXAMPLE_DATA "/spot/spot.obj").input;
+  static const TexturedTriangles surface = [] {
+    TexturedTriangles s = files::read_surface(MULTIMESH_EXAMPLE_DATA "/spot/spot.obj").input;
+    s.labels.clear();  // it has one material
+    return s;
+  }();
   return surface;
 }
 

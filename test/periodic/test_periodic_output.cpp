@@ -149,7 +149,9 @@ INSTANTIATE_TEST_SUITE_P(All, PeriodicOutput,
                                           testing::Values(Recut::rows, Recut::blocks, Recut::plane)));
 
 TEST(PeriodicBox, IsReadAgainAfterACornerMoved) {
-  PeriodicDomain domain(cube_tile(4), along(true, true, true));
+  PeriodicTile tile = cube_tile(4);
+  tile.regions.assign(tile.facets.size(), 1);  // Gmsh's files have no region 0
+  PeriodicDomain domain(tile, along(true, true, true));
   Propagation propagation(domain.tree());
   domain.attach(propagation);
   const Dart corner = domain.tree().mesh(domain.tile()).dart_of(0, 0);

@@ -64,8 +64,9 @@ TEST_F(RemeshTetrahedra, WritesEveryFormat) {
 }
 
 TEST_F(RemeshTetrahedra, OptionsForTheOtherKindAreRefused) {
-  for (const Arguments& o : {Arguments{"--lock-seams"}, Arguments{"--lock-boundary"},
-                             Arguments{"--follow-paths"}, Arguments{"--no-preserve-materials"}}) {
+  for (const Arguments& o :
+       {Arguments{"--lock-seams"}, Arguments{"--lock-boundary"}, Arguments{"--uv-weld", "1e-6"},
+        Arguments{"--follow-paths"}, Arguments{"--no-preserve-materials"}}) {
     Arguments all{"--length", "1"};
     all.insert(all.end(), o.begin(), o.end());
     const Ended e = remesh(all);

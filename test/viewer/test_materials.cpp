@@ -51,7 +51,7 @@ TEST_F(Materials, TexturesBesideTheObjAndWithBackslashes) {
 }
 
 TEST_F(Materials, AMissingLibraryIsNoted) {
-  EXPECT_TRUE(read_materials({"none.mtl"}, directory / "in.obj", notes).empty());
+  EXPECT_TRUE(files::read_materials({"none.mtl"}, directory / "in.obj", notes).empty());
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_NE(notes[0].find("none.mtl"), std::string::npos);
 }
