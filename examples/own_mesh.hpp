@@ -38,7 +38,6 @@ class OwnMesh final : public OwnMeshStorage {
     if (const Dart other = switch_dart(d, 1); k == 0 && other != multimesh::no_dart) out.push_back(other);
   }
   bool is_boundary(Dart d, int) const override { return switch_dart(d, 1) == multimesh::no_dart; }
-  bool is_locked(Index) const override { return false; }
   // Not the last edge of a chain, nor one of three of a loop.
   bool link_condition(Dart e) const override {
     const Dart at_a = switch_dart(e, 1), at_b = switch_dart(Dart{code(e) ^ 1U}, 1);

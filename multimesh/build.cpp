@@ -55,16 +55,17 @@ NodeId add_child_by_facets(MultiMesh& tree, NodeId parent, FacetList child, Face
 NodeId add_child_from_tags(MultiMesh& tree, NodeId parent, int k, const std::function<bool(Index)>& tagged,
                            const MeshFactory& make, const CutOptions& options) {
   const Mesh& above = tree.mesh(parent);
-  if (k < 1 || k > above.dimension())
+  if (k < 0 || k > above.dimension())
     throw InputError("tags on " + std::to_string(k) + "-simplices of a mesh of dimension " +
                      std::to_string(above.dimension()) +
-                     ": children have dimension 1 or more, and at most "
-                     "that of their parent");
+                     ": children have dimension 0 or more, and at most that of their parent");
   FacetList facets{k, above.capacity(0), {}};
   std::vector<Dart> darts;
   for (Index s = 0; s < above.capacity(k); ++s) {
     if (!above.is_live(k, s) || !tagged(s)) continue;
     const Dart d = above.dart_of(k, s);
+    if (d == no_dart)
+      throw InputError("vertex " + std::to_string(s) + " is tagged, but in no facet: it has no dart");
     std::array<Index, 4> v{};
     above.vertices(d, v.data());
     facets.corners.insert(facets.corners.end(), v.begin(), v.begin() + k + 1);
@@ -89,8 +90,11 @@ NodeId add_child_from_boundary(MultiMesh& tree, NodeId parent, const MeshFactory
                                const CutOptions& options) {
   const Mesh& above = tree.mesh(parent);
   const int k = above.dimension() - 1;
-  return add_child_from_tags(
-      tree, parent, k, [&](Index s) { return above.is_boundary(above.dart_of(k, s), k); }, make, options);
+  const auto in_boundary = [&](Index s) {
+    const Dart d = above.dart_of(k, s);
+    return d != no_dart && above.is_boundary(d, k);
+  };
+  return add_child_from_tags(tree, parent, k, in_boundary, make, options);
 }
 
 }  // namespace multimesh

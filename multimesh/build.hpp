@@ -18,12 +18,14 @@ using MeshFactory = std::function<std::unique_ptr<Mesh>(const FacetList&)>;
 NodeId add_child_by_facets(MultiMesh& tree, NodeId parent, FacetList child, FacetList over,
                            std::span<const Index> parent_facets, const MeshFactory& make);
 
-/// The tagged k-simplices of a mesh as a child, 1 <= k <= its dimension, cut to be manifold.
-/// `tagged` is asked once per live k-simplex index. \throw InputError if none is tagged
+/// The tagged k-simplices of a mesh as a child, 0 <= k <= its dimension, cut to be manifold.
+/// `tagged` is asked once per live k-simplex index. \throw InputError if none is tagged, or a vertex that is
+/// in no facet
 NodeId add_child_from_tags(MultiMesh& tree, NodeId parent, int k, const std::function<bool(Index)>& tagged,
                            const MeshFactory& make, const CutOptions& options = {});
 
-/// The boundary of a mesh of dimension 2 or more as a child. \throw InputError if it is closed
+/// The boundary of a mesh of dimension 1 or more as a child; of curves, their ends. \throw InputError if it
+/// is closed
 NodeId add_child_from_boundary(MultiMesh& tree, NodeId parent, const MeshFactory& make,
                                const CutOptions& options = {});
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string>
 
 #include "multimesh/error.hpp"
@@ -266,6 +267,15 @@ class Cutter {
   std::vector<Index> source_;   // new vertices
 };
 
+/// Points have nothing in common, also where two of them lie in one vertex.
+Cut cut_points(const FacetList& points) {
+  Cut out{
+      {0, static_cast<Index>(points.size()), {}}, points.corners, std::vector<bool>(points.size(), false)};
+  out.facets.corners.resize(points.size());
+  std::iota(out.facets.corners.begin(), out.facets.corners.end(), Index{0});
+  return out;
+}
+
 }  // namespace
 
 void require_corners(const FacetList& facets, const std::function<std::string(std::size_t)>& name) {
@@ -283,9 +293,10 @@ void require_corners(const FacetList& facets, const std::function<std::string(st
 }
 
 Cut cut(const FacetList& facets, const CutOptions& options) {
-  if (facets.dimension < 1 || facets.dimension > 3)
-    throw InputError("cut: dimension " + std::to_string(facets.dimension) + " is not 1, 2 or 3");
+  if (facets.dimension < 0 || facets.dimension > 3)
+    throw InputError("cut: dimension " + std::to_string(facets.dimension) + " is not 0, 1, 2 or 3");
   require_corners(facets, [](std::size_t f) { return "facet " + std::to_string(f); });
+  if (facets.dimension == 0) return cut_points(facets);
   return facets.dimension == 3 ? detail::cut_tetrahedra(facets) : Cutter(facets, options).run();
 }
 

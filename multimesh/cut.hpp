@@ -40,7 +40,8 @@ struct CutOptions {
   std::function<bool(Index vertex)> ends_at;
 };
 
-/// Cuts edges, triangles or tetrahedra into a manifold mesh that is a proper simplicial complex. Triangles
+/// Cuts points, edges, triangles or tetrahedra into a manifold mesh that is a proper simplicial complex. Each
+/// point becomes a vertex of its own. Triangles
 /// stay joined across edges with just two of them and are re-oriented to agree; edges with three or more,
 /// pinched vertices and places where no orientation agrees come apart. Edges stay joined at vertices with
 /// just two of them. Tetrahedra stay joined across faces with just two of them and are re-oriented to agree;

@@ -36,24 +36,24 @@ constexpr FaceList make_faces(int d, int j, int k) {
   return list;
 }
 
-// Indexed by [d-1][j-1][k+1]; k = -1 asks for all j-faces of the facet.
+// Indexed by [d][j][k+1]; k = -1 asks for all j-faces of the facet.
 constexpr auto make_all_faces() {
-  std::array<std::array<std::array<FaceList, 5>, 3>, 3> all{};
-  for (int d = 1; d <= 3; ++d)
-    for (int j = 1; j <= d; ++j)
+  std::array<std::array<std::array<FaceList, 5>, 4>, 4> all{};
+  for (int d = 0; d <= 3; ++d)
+    for (int j = 0; j <= d; ++j)
       for (int k = -1; k <= j; ++k)
-        all[static_cast<std::size_t>(d - 1)][static_cast<std::size_t>(j - 1)]
-           [static_cast<std::size_t>(k + 1)] = make_faces(d, j, k);
+        all[static_cast<std::size_t>(d)][static_cast<std::size_t>(j)][static_cast<std::size_t>(k + 1)] =
+            make_faces(d, j, k);
   return all;
 }
 inline constexpr auto all_faces = make_all_faces();
 
 }  // namespace detail
 
-/// Re-orderings of a d-facet's dart that give each j-face (1 <= j <= d) which contains the k-simplex of the
+/// Re-orderings of a d-facet's dart that give each j-face (0 <= j <= d) which contains the k-simplex of the
 /// dart exactly once, as the first j+1 vertices; the first k+1 stay. k = -1: all j-faces of the facet.
 constexpr std::span<const Permutation> faces_around(int d, int j, int k) {
-  const auto& list = detail::all_faces[static_cast<std::size_t>(d - 1)][static_cast<std::size_t>(j - 1)]
+  const auto& list = detail::all_faces[static_cast<std::size_t>(d)][static_cast<std::size_t>(j)]
                                       [static_cast<std::size_t>(k + 1)];
   return {list.permutations.data(), list.size};
 }

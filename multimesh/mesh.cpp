@@ -4,9 +4,14 @@
 #include <algorithm>
 #include <array>
 
+#include "multimesh/error.hpp"
 #include "multimesh/faces.hpp"
 
 namespace multimesh {
+
+void Mesh::set_locked(Index, bool) {
+  throw UsageError("this mesh stores no locks of vertices");
+}
 
 bool Mesh::has_link_around(LinkSet links, int j, Dart d, int k) const {
   star(d, k, star_);

@@ -91,7 +91,7 @@ struct Compaction {
   }
 };
 
-/// A pure, facet-manifold simplicial mesh of dimension 1..3 as the core sees it: a proper simplicial
+/// A pure, facet-manifold simplicial mesh of dimension 0..3 as the core sees it: a proper simplicial
 /// complex (a simplex is determined by its vertex set) with darts, local operations, a journal for exact
 /// undo, and room for anchors. Only the adapter behind it knows the data structure. Indices name simplices
 /// until the mesh is compacted; those of simplices without storage (edges and faces of a tetrahedral mesh),
@@ -139,9 +139,12 @@ class Mesh {
   virtual void star(Dart d, int k, DartBuffer& out) const = 0;
   /// Whether the k-simplex of d (k < dimension) lies in the boundary of the mesh.
   virtual bool is_boundary(Dart d, int k) const = 0;
-  /// A label on an isolated point that must keep its place (a guard:
-  /// docs/concepts.md, "When a collapse is legal").
-  virtual bool is_locked(Index vertex) const = 0;
+
+  // --- locks: marks on vertices that keep their place and are not merged away (docs/concepts.md, "Points and
+  // locks"). A mesh that stores none has none.
+  virtual bool is_locked(Index /*vertex*/) const { return false; }
+  /// Not journaled: outside of transactions. \throw UsageError if the mesh stores no locks
+  virtual void set_locked(Index vertex, bool on);
 
   // --- local operations; e = (a, b, ...)
   /// Lk a n Lk b = Lk ab with the boundary coned to a dummy vertex (Dey et al. 1999).

@@ -61,6 +61,8 @@ void Propagation::start(NodeId n, Dart d, int k) {
 // before it is walked through: a walk from a dead halfedge need not end.
 void Propagation::find_copies(NodeId n, Dart d, int k) {
   tree_.require_dart(n, d);
+  if (k > tree_.mesh(n).dimension()) [[unlikely]]
+    tree_.require_simplex(n, d, k);
   tree_.require_star_in_step(n, d, k);
   for (; n != NodeId::root; n = tree_.parent(n)) {
     d = tree_.image(n, d);
@@ -194,15 +196,25 @@ bool Propagation::flippable() const {
   return true;
 }
 
-// The triangles (a,l,r) and (b,l,r) of a child get anchors on their outer edges, where codes do not change.
+// The triangles (a,l,r) and (b,l,r) of a child get anchors on their outer edges, where codes do not change;
+// so do the points at a and b. Curves are on these edges already.
 void Propagation::collect_reanchored_by_flip() {
   reanchored_.clear();
   for (const Copy& c : copies_.all()) {
-    if (c.node == NodeId::root) continue;
-    const Mesh& mesh = tree_.mesh(c.node);
-    for (const Permutation outer : {edge_ax, edge_bx}) {
-      const Dart own = mesh.reorder(c.dart, outer);
-      reanchored_.push_back({c.node, {own, tree_.image(c.node, own)}});
+    const MultiMesh::Node& node = tree_.nodes_[index(c.node)];
+    if (c.node != NodeId::root)
+      for (const Permutation outer : {edge_ax, edge_bx}) {
+        const Dart own = node.mesh->reorder(c.dart, outer);
+        reanchored_.push_back({c.node, {own, tree_.image(c.node, own)}});
+      }
+    for (const NodeId child : node.children) {
+      const Mesh& below = *tree_.nodes_[index(child)].mesh;
+      if (below.dimension() > 0) continue;
+      for (const Permutation outer : {edge_ax, edge_bx}) {
+        const Dart at = node.mesh->reorder(c.dart, outer);
+        if (const Index point = tree_.link_of(child, at); point != no_index)
+          reanchored_.push_back({child, {below.anchor(point).own, at}});
+      }
     }
   }
 }

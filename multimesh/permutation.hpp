@@ -84,12 +84,12 @@ constexpr Permutation transposition(int k) noexcept {
   return k == 0 ? permutation(1, 0) : k == 1 ? permutation(0, 2, 1) : permutation(0, 1, 3, 2);
 }
 
-// Of an edge dart (a, b, x): (b, a, x), (a, x, b) and (b, x, a).
-/// How many darts a facet has: 2, 6 or 24.
+/// How many darts a facet has: 1, 2, 6 or 24.
 constexpr std::uint8_t number_of_orders(int dimension) {
-  return dimension == 1 ? 2 : dimension == 2 ? 6 : 24;
+  return dimension == 0 ? 1 : dimension == 1 ? 2 : dimension == 2 ? 6 : 24;
 }
 
+// Of an edge dart (a, b, x): (b, a, x), (a, x, b) and (b, x, a).
 inline constexpr Permutation exchange_ends = permutation(1, 0);
 inline constexpr Permutation edge_ax = permutation(0, 2, 1);
 inline constexpr Permutation edge_bx = permutation(1, 2, 0);

@@ -62,6 +62,7 @@ Dart Propagation::after_split(NodeId n, Dart e, End end) const {
 // a surface may lie in the boundary of the tetrahedra above, if the faces at it do.
 bool Propagation::swappable(NodeId n, Dart e) {
   tree_.require_dart(n, e);
+  tree_.require_simplex(n, e, 1);
   const Dart in_root = tree_.to_root(n, e);
   copies_.collect(tree_, in_root, 1);
   const auto copies = std::as_const(copies_).all();

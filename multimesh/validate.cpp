@@ -81,7 +81,9 @@ class Validator {
         report("facet " + std::to_string(f) + " is not linked from its image");
     for (Index s = 0; s < above.capacity(k); ++s) {
       if (!above.is_live(k, s)) continue;
-      const Index f = tree_.facet_over(n, above.dart_of(k, s));
+      const Dart d = above.dart_of(k, s);
+      if (d == no_dart) continue;  // a vertex without facets
+      const Index f = tree_.facet_over(n, d);
       if (f == no_index) continue;
       if (!below.is_live(k, f)) {
         report("parent simplex " + std::to_string(s) + " is linked to dead facet " + std::to_string(f));

@@ -95,6 +95,12 @@ NodeId AttachedTree::add_faces(const std::function<bool(OpenMesh::FaceHandle)>& 
       make_mesh);
 }
 
+NodeId AttachedTree::add_points(const std::function<bool(OpenMesh::VertexHandle)>& tagged) {
+  return add_child_from_tags(
+      tree_, NodeId::root, 0, [&](Index v) { return tagged(OpenMesh::VertexHandle(static_cast<int>(v))); },
+      make_mesh);
+}
+
 void AttachedTree::leave(const OpenMesh::BaseProperty& property, std::function<bool()> still) {
   static_cast<Connectivity&>(tree_.mesh(NodeId::root)).leave(property, std::move(still));
 }

@@ -53,6 +53,8 @@ class AttachedTree {
   NodeId add_boundary();
   NodeId add_edges(const std::function<bool(OpenMesh::EdgeHandle)>& tagged);
   NodeId add_faces(const std::function<bool(OpenMesh::FaceHandle)>& tagged);
+  /// Vertices that must not go, as points.
+  NodeId add_points(const std::function<bool(OpenMesh::VertexHandle)>& tagged);
 
   // --- operations by handles; others: operations()
   /// Splits an edge at (1-t) from + t to of its first halfedge.

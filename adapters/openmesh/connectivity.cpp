@@ -60,23 +60,22 @@ void Connectivity::watch() {
   set_watched();
 }
 
+/// The one of the facets.
+template <class Visit>
+void Connectivity::with_anchor_property(const Visit& visit) {
+  dimension() == 0 ? visit(vertex_anchors_) : dimension() == 1 ? visit(edge_anchors_) : visit(face_anchors_);
+}
+
 void Connectivity::add_anchors() {
-  if (dimension() == 1) {
-    om_.add_property(edge_anchors_, "mm:anchor");
-    anchors_ = &om_.property(edge_anchors_).data_vector();
-  } else {
-    om_.add_property(face_anchors_, "mm:anchor");
-    anchors_ = &om_.property(face_anchors_).data_vector();
-  }
+  with_anchor_property([&](auto& property) {
+    om_.add_property(property, "mm:anchor");
+    anchors_ = &om_.property(property).data_vector();
+  });
 }
 
 void Connectivity::remove_anchors() {
   if (!anchors_) return;
-  if (dimension() == 1) {
-    om_.remove_property(edge_anchors_);
-  } else {
-    om_.remove_property(face_anchors_);
-  }
+  with_anchor_property([&](auto& property) { om_.remove_property(property); });
   anchors_ = nullptr;
 }
 
@@ -157,21 +156,17 @@ Compaction Connectivity::compact() {
   Numbering<OpenMesh::FPropHandleT<Index>> faces(om_, om_.n_faces());
   om_.garbage_collection();
   Compaction moved;
-  moved.simplices = {vertices.finish(), edges.finish()};
-  if (dimension() == 2) {
-    moved.simplices.push_back(faces.finish());
-  } else {
-    (void)faces.finish();
-  }
+  moved.simplices = {vertices.finish(), edges.finish(), faces.finish()};
+  moved.simplices.resize(static_cast<std::size_t>(dimension()) + 1);
   set_dart_blocks(moved);
   if (watch_) watch_->accept();
   return moved;
 }
 
-// Garbage collection keeps the parity of halfedges; a dart is a halfedge and, in 2D, a flip bit.
+// Garbage collection keeps the parity of halfedges; a dart is a halfedge and, in 2D, a flip bit, or a vertex.
 void Connectivity::set_dart_blocks(Compaction& moved) const {
-  moved.blocks = moved.simplices[1];
-  moved.block_bits = dimension() == 2 ? 2 : 1;
+  moved.blocks = moved.simplices[dimension() == 0 ? 0 : 1];
+  moved.block_bits = static_cast<unsigned>(dimension());
 }
 
 std::optional<Index> Connectivity::first_out_of_step() const {

@@ -13,8 +13,9 @@
 
 namespace multimesh::openmesh {
 
-/// What the triangle and edge adapters share: an OpenMesh connectivity (the base of every OpenMesh mesh, so
-/// one compiled class serves all traits), our properties on it, and a journal of every word written.
+/// What the adapters for triangles, edges and points share: an OpenMesh connectivity (the base of every
+/// OpenMesh mesh, so one compiled class serves all traits), our properties on it, and a journal of every word
+/// written.
 ///
 /// The mesh stays the user's. We request vertex, edge and face status, and add properties whose names begin
 /// with "mm:"; all that is taken back when the adapter dies. Copies of the mesh are ordinary meshes, which
@@ -28,7 +29,9 @@ class Connectivity : public Mesh {
   OpenMesh::PolyConnectivity& openmesh() noexcept { return om_; }
   const OpenMesh::PolyConnectivity& openmesh() const noexcept { return om_; }
 
+  /// The status bit of that name, which is the user's.
   bool is_locked(Index v) const override { return (*vertex_status_)[v].locked(); }
+  void set_locked(Index v, bool on) override { (*vertex_status_)[v].set_locked(on); }
 
   Mark mark() const override { return log_.size(); }
   void rollback(Mark mark) override;
@@ -199,6 +202,8 @@ class Connectivity : public Mesh {
   void for_each_halfedge_property(const Visit& visit) const;
   void exchange(const Entry& e);
   int make_spare(int k);
+  template <class Visit>
+  void with_anchor_property(const Visit& visit);
 
   struct Left {
     const OpenMesh::BaseProperty* property;
@@ -218,6 +223,7 @@ class Connectivity : public Mesh {
   Status* vertex_status_ = nullptr;
   Status* edge_status_ = nullptr;
   Status* face_status_ = nullptr;
+  OpenMesh::VPropHandleT<Anchor> vertex_anchors_;
   OpenMesh::EPropHandleT<Anchor> edge_anchors_;
   OpenMesh::FPropHandleT<Anchor> face_anchors_;
   std::vector<Anchor>* anchors_ = nullptr;

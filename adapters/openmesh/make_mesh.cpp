@@ -6,6 +6,7 @@
 #include <string>
 
 #include "adapters/openmesh/edge_mesh.hpp"
+#include "adapters/openmesh/point_mesh.hpp"
 #include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/pair_numbers.hpp"
@@ -154,6 +155,20 @@ class TriangleBuilder {
   std::vector<Index> halfedges_;  // per corner, the one that begins there
 };
 
+// The facets are the vertices: each of them once, and in order.
+std::unique_ptr<PolyConnectivity> make_points(const FacetList& list) {
+  if (list.size() != list.vertices)
+    throw InputError(std::to_string(list.size()) + " points of " + std::to_string(list.vertices) +
+                     " vertices: each must be one");
+  for (Index f = 0; f < list.size(); ++f)
+    if (list.corners[f] != f)
+      throw InputError("point " + std::to_string(f) + " is vertex " + std::to_string(list.corners[f]) +
+                       ", not that of its own number");
+  auto om = std::make_unique<PolyConnectivity>();
+  om->resize(list.vertices, 0, 0);
+  return om;
+}
+
 // Halfedges are linked along the curve and turn round at its ends.
 std::unique_ptr<PolyConnectivity> make_edges(const FacetList& list) {
   auto om = std::make_unique<PolyConnectivity>();
@@ -185,13 +200,14 @@ std::unique_ptr<PolyConnectivity> make_edges(const FacetList& list) {
 }  // namespace
 
 std::unique_ptr<Mesh> make_mesh(const FacetList& list) {
-  if (list.dimension < 1 || list.dimension > 2)
-    throw InputError("OpenMesh holds edge and triangle meshes, not dimension " +
+  if (list.dimension < 0 || list.dimension > 2)
+    throw InputError("OpenMesh holds points, edges and triangles, not facets of dimension " +
                      std::to_string(list.dimension));
   for (std::size_t c = 0; c < list.corners.size(); ++c)
     if (list.corners[c] >= list.vertices)
       throw InputError("facet " + std::to_string(c / list.corners_per_facet()) + " names vertex " +
                        std::to_string(list.corners[c]) + " of " + std::to_string(list.vertices));
+  if (list.dimension == 0) return std::make_unique<PointMesh>(make_points(list));
   if (list.dimension == 1) return std::make_unique<EdgeMesh>(make_edges(list));
   return std::make_unique<TriangleMesh>(TriangleBuilder(list).run(), TriangleMesh::Checked{});
 }

@@ -193,11 +193,11 @@ bool TetMesh::may_have_link_around(LinkSet links, Dart d, int k) const {
 }
 
 bool TetMesh::may_have_link_in_facet(LinkSet links, Dart d) const {
-  const auto& table = links_[links].table;
-  if (!table) return true;
+  const Links& l = links_[links];
+  if (l.k == 3) return true;
   int n = 0;
-  for (const Index v : tets_[tet(d)].v) n += table->around(v) > 0;
-  return n > table->k();
+  for (const Index v : tets_[tet(d)].v) n += (l.table ? l.table->around(v) : l.facet_plus_one[v]) > 0;
+  return n > l.k;
 }
 
 // --- containment maps ----------------------------------------------------------------------------------
@@ -224,9 +224,10 @@ Mesh::LinkSet TetMesh::add_links(int k) {
   if (i == 255) throw UsageError("a mesh has at most 255 children");
   if (i == links_.size()) links_.emplace_back();
   Links& l = links_[i];
+  l.k = k;
   l.used = true;
-  if (k == 3) {
-    l.facet_plus_one.assign(tets_.size(), 0);
+  if (k == 0 || k == 3) {
+    l.facet_plus_one.assign(capacity(k), 0);
   } else {
     l.table = std::make_unique<SimplexTable>(k, flags_.size());
   }
@@ -239,7 +240,7 @@ void TetMesh::remove_links(LinkSet links) {
 
 Index TetMesh::link(LinkSet links, Dart d) const {
   const Links& l = links_[links];
-  if (!l.table) return l.facet_plus_one[tet(d)] - 1;
+  if (!l.table) return l.facet_plus_one[simplex(d, l.k)] - 1;
   Index v[4];
   vertices(d, v);
   return l.table->find(v);
@@ -247,9 +248,10 @@ Index TetMesh::link(LinkSet links, Dart d) const {
 
 void TetMesh::set_link(LinkSet links, Dart d, Index f) {
   Links& l = links_[links];
-  if (l.table) return write(*l.table, key(d, l.table->k()), f);
-  Index& word = l.facet_plus_one[tet(d)];
-  log(Word::dense_link, tet(d), word, links);
+  if (l.table) return write(*l.table, key(d, l.k), f);
+  const Index s = simplex(d, l.k);
+  Index& word = l.facet_plus_one[s];
+  log(Word::dense_link, s, word, links);
   word = f + 1;
 }
 

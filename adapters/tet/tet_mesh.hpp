@@ -60,8 +60,7 @@ class TetMesh final : public Mesh {
   void star(Dart d, int k, DartBuffer& out) const override;
   bool is_boundary(Dart d, int k) const override;
   bool is_locked(Index v) const override { return flags_[v] & locked; }
-  /// Outside of transactions: it is not journaled.
-  void set_locked(Index v, bool on);
+  void set_locked(Index v, bool on) override;
   bool has_link_around(LinkSet links, int j, Dart d, int k) const override;
   bool may_have_link_around(LinkSet links, Dart d, int k) const override;
   bool may_have_link_in_facet(LinkSet links, Dart d) const override;
@@ -195,7 +194,8 @@ class TetMesh final : public Mesh {
     Index old;
   };
   struct Links {
-    std::vector<Index> facet_plus_one;    ///< of tetrahedra; 0: none
+    int k = 0;
+    std::vector<Index> facet_plus_one;    ///< of vertices or tetrahedra; 0: none
     std::unique_ptr<SimplexTable> table;  ///< of edges or faces
     bool used = false;
   };

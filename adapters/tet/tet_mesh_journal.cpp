@@ -37,8 +37,10 @@ void TetMesh::resize_vertices(std::size_t n) {
   vertex_stamp_.resize(n, 0);
   for (const auto& p : vertex_properties_) p->resize(n);
   for (const auto& p : simplex_properties_) p->table().resize(n);
-  for (const Links& l : links_)
+  for (Links& l : links_) {
     if (l.table) l.table->resize(n);
+    if (l.used && l.k == 0) l.facet_plus_one.resize(n, 0);
+  }
 }
 
 void TetMesh::resize_tets(std::size_t n) {
@@ -47,7 +49,7 @@ void TetMesh::resize_tets(std::size_t n) {
   if (has_anchors_) anchors_.resize(n);
   for (const auto& p : tet_properties_) p->resize(n);
   for (Links& l : links_)
-    if (l.used && !l.table) l.facet_plus_one.resize(n, 0);
+    if (l.used && l.k == 3) l.facet_plus_one.resize(n, 0);
 }
 
 // Tetrahedra like others, properties included. Slots that were freed since the last forget() wait: what they

@@ -75,7 +75,7 @@ Compaction TetMesh::compact() {
     if (l.table) {
       l.table->renumber(vertex, vertices, nullptr);
     } else {
-      move_down(l.facet_plus_one, tet, tets);
+      l.k == 0 ? move_down(l.facet_plus_one, vertex, vertices) : move_down(l.facet_plus_one, tet, tets);
     }
   }
   free_tets_.clear();

@@ -6,6 +6,7 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
+#include <map>
 #include <random>
 
 #include "adapters/openmesh/attach.hpp"
@@ -115,6 +116,31 @@ TYPED_TEST(AttachedMesh, HasChildrenFromWhatTheMeshKnows) {
   EXPECT_THROW(attached.add_texture(), UsageError);
   EXPECT_THROW(attached.add_faces([](auto) { return false; }), InputError);
   EXPECT_EQ(tree.children(NodeId::root).size(), 4U);
+}
+
+TYPED_TEST(AttachedMesh, KeepsChosenVerticesAsPoints) {
+  openmesh::Attached attached(this->mesh_);
+  const auto chosen = [](OpenMesh::VertexHandle v) { return v.idx() % 5 == 0; };
+  const NodeId points = attached.add_points(chosen);
+  const auto count = attached.tree().mesh(points).capacity(0);
+  std::map<OpenMesh::VertexHandle, typename TypeParam::Point> places;
+  for (const auto v : this->mesh_.vertices())
+    if (chosen(v)) places[v] = this->mesh_.point(v);
+  ASSERT_EQ(places.size(), count);
+  std::size_t done = 0;
+  for (const auto e : this->mesh_.edges())
+    if (!this->mesh_.status(e).deleted())
+      done += bool(attached.collapse(this->mesh_.halfedge_handle(e, 0), Placement::at(0.5)));
+  EXPECT_GT(done, 5U);
+  EXPECT_EQ(validate(attached.tree()), Problems{});
+  for (const auto& [v, place] : places) {
+    EXPECT_FALSE(this->mesh_.status(v).deleted());
+    EXPECT_EQ(this->mesh_.point(v), place);
+  }
+  attached.garbage_collection();
+  EXPECT_EQ(validate(attached.tree()), Problems{});
+  EXPECT_EQ(attached.tree().mesh(points).capacity(0), count);
+  EXPECT_THROW(attached.add_points([](auto) { return false; }), InputError);
 }
 
 TYPED_TEST(AttachedMesh, TakesPropertyManagersWhereverPropertyHandles) {

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/domains/make_mesh.hpp"
 #include "test/core/bridge.hpp"
 #include "test/support/solids.hpp"
@@ -63,8 +64,25 @@ FacetList sphere3() {
 
 }  // namespace
 
+/// Points, the second of three is dead.
+std::unique_ptr<Mesh> points_with_a_dead_one() {
+  auto mesh = make({0, 3, {0, 1, 2}});
+  auto& om = dynamic_cast<openmesh::Connectivity&>(*mesh).openmesh();
+  om.status(OpenMesh::VertexHandle(1)).set_deleted(true);
+  return mesh;
+}
+
 const std::vector<MeshCase>& mesh_cases() {
   static const std::vector<MeshCase> cases{
+      {"OnePoint",
+       [] {
+         return make({0, 1, {0}});
+       }},
+      {"Points",
+       [] {
+         return make({0, 4, {0, 1, 2, 3}});
+       }},
+      {"PointsWithADeadOne", points_with_a_dead_one},
       {"OneTriangle",
        [] {
          return make({2, 3, {0, 1, 2}});

@@ -18,8 +18,8 @@ struct MeshCase {
   friend void PrintTo(const MeshCase& c, std::ostream* out) { *out << c.name; }
 };
 
-/// Edge, triangle and tetrahedral meshes: with and without boundary, one facet, several components, and after
-/// random operations, with dead elements.
+/// Points, edge, triangle and tetrahedral meshes: with and without boundary, one facet, several components,
+/// and after random operations, with dead elements.
 const std::vector<MeshCase>& mesh_cases();
 
 /// Splits, collapses and flips on random edges of one mesh.

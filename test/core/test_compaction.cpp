@@ -58,6 +58,7 @@ class Compactions : public testing::TestWithParam<unsigned> {
   void operate(int count) {
     for (int i = 0; i < count; ++i) {
       const NodeId n = tree_.nodes()[random_() % tree_.nodes().size()];
+      if (tree_.mesh(n).dimension() == 0) continue;  // no edges
       const DartBuffer darts = all_darts(tree_.mesh(n));
       const Dart d = darts[random_() % darts.size()];
       Propagation& o = *t_->operations;
@@ -85,13 +86,13 @@ class Compactions : public testing::TestWithParam<unsigned> {
       auto& lines = all.lines.emplace_back();
       for (const Dart d : all_darts(mesh)) {
         std::string line = describe(node, d, mesh.dimension());
-        const Index e = mesh.simplex(d, 1);
-        for (const int i : values_[node].edge(d)) line += " " + std::to_string(i);
+        if (mesh.dimension() > 0)
+          for (const int i : values_[node].edge(d)) line += " " + std::to_string(i);
         if (is_solid(n)) {
           line += values_[node].face(mesh.facet(d));
-        } else {
-          line +=
-              " edge bits " + std::to_string(om(n).status(OpenMesh::EdgeHandle(static_cast<int>(e))).bits());
+        } else if (mesh.dimension() > 0) {
+          const auto e = static_cast<int>(mesh.simplex(d, 1));
+          line += " edge bits " + std::to_string(om(n).status(OpenMesh::EdgeHandle(e)).bits());
         }
         if (mesh.dimension() == 2) {
           const Index f = mesh.facet(d);
@@ -114,7 +115,8 @@ class Compactions : public testing::TestWithParam<unsigned> {
 
   /// A bound of the codes of darts.
   static std::uint32_t codes(const Mesh& mesh) {
-    return mesh.dimension() == 3 ? 32 * mesh.capacity(3) : mesh.capacity(1) * (mesh.dimension() == 2 ? 4 : 2);
+    const int d = mesh.dimension();
+    return d == 3 ? 32 * mesh.capacity(3) : d == 0 ? mesh.capacity(0) : mesh.capacity(1) * (d == 2 ? 4 : 2);
   }
 
   std::unique_ptr<Tree> t_;

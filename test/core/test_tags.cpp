@@ -88,10 +88,10 @@ TEST(TaggedEdges, OfALoopStayClosed) {
   EXPECT_EQ(f.counts(f.add_edges({{1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 1}})), (Counts{6, 6}));
 }
 
-TEST(TaggedSimplices, OfDimensionZeroOrTooHighAreRefused) {
+TEST(TaggedSimplices, OfNegativeOrTooHighDimensionAreRefused) {
   Fan f;
   const auto all = [](Index) { return true; };
-  EXPECT_THROW((void)f.t.add_tagged(NodeId::root, 0, all), InputError);
+  EXPECT_THROW((void)f.t.add_tagged(NodeId::root, -1, all), InputError);
   EXPECT_THROW((void)f.t.add_tagged(NodeId::root, 3, all), InputError);
   EXPECT_THROW((void)f.t.add_tagged(NodeId::root, 2, [](Index) { return false; }), InputError);
   EXPECT_EQ(f.t.tree->nodes().size(), 1U);
@@ -119,7 +119,20 @@ TEST(Boundary, IsAChildPerLoopAndNoneIfClosed) {
   Tree tri = drawn({{0, 1, 2}});
   const NodeId sides = tri.add_boundary(NodeId::root);
   EXPECT_EQ(sorted_facets(tri.tree->mesh(sides)).size(), 3U);
-  EXPECT_THROW((void)tri.add_boundary(sides), InputError) << "a boundary of dimension 0 is no mesh";
+  EXPECT_THROW((void)tri.add_boundary(sides), InputError) << "a loop has no ends";
+}
+
+TEST(Boundary, OfCurvesIsTheirEnds) {
+  Fan f;
+  const NodeId curve = f.add_edges({{1, 0}, {0, 4}, {4, 5}});
+  const NodeId ends = f.t.add_boundary(curve);
+  EXPECT_EQ(validate(*f.t.tree), std::vector<std::string>{});
+  EXPECT_EQ(f.t.tree->mesh(ends).dimension(), 0);
+  std::set<Index> below;
+  for (const Dart p : simplices_of(f.t.tree->mesh(ends), 0))
+    below.insert(f.t.tree->mesh(NodeId::root).vertex(f.t.tree->to_root(ends, p)));
+  EXPECT_EQ(below, (std::set<Index>{1, 5}));
+  EXPECT_THROW((void)f.t.add_boundary(ends), InputError) << "points have no boundary";
 }
 
 }  // namespace

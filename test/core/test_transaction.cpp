@@ -21,7 +21,7 @@ std::unique_ptr<Tree> fan() {
 }
 
 std::unique_ptr<Tree> of_kind(const char* name) {
-  for (const TreeKind& kind : solid_tree_kinds())
+  for (const TreeKind& kind : tree_kinds())
     if (kind.name == name) return kind.make(24, 1);
   return nullptr;
 }
@@ -168,6 +168,7 @@ INSTANTIATE_TEST_SUITE_P(Trees, Transactions,
                          testing::Values(NamedTree{"Fan", fan},
                                          NamedTree{"SolidPart", [] { return of_kind("SolidPart"); }},
                                          NamedTree{"SolidCut", [] { return of_kind("SolidCut"); }},
+                                         NamedTree{"SolidPoints", [] { return of_kind("SolidPoints"); }},
                                          NamedTree{"SolidFeatures", [] { return of_kind("SolidFeatures"); }}),
                          [](const auto& tree) { return tree.param.name; });
 

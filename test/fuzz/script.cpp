@@ -160,6 +160,7 @@ Outcome Script::operation(std::size_t choice, NodeId n, Dart d) {
   Propagation& ops = *tree_->operations;
   const Mesh& root = tree_->tree->mesh(NodeId::root);
   const int dimension = tree_->tree->mesh(n).dimension();
+  if (dimension == 0) choice = 10;  // points can only be moved
   if (choice < 4 && root.capacity(root.dimension()) < most_facets)
     return choice < 3 ? ops.split(n, d, 0.25 * static_cast<double>(1 + bytes_.below(3)))
                       : ops.split_simplex(n, d, 1 + static_cast<int>(bytes_.below(std::size_t(dimension))));

@@ -57,6 +57,7 @@ SimplexSet link(const SimplexSet& K, const Simplex& s) {
 }
 
 SimplexSet boundary(const Complex& c) {
+  if (c.dim == 0) return {};
   SimplexSet sides;
   for (const Simplex& f : facet_set(c)) {
     for (int i = 0; i < f.n; ++i) sides.push_back(minus(f, simplex({f.v[static_cast<std::size_t>(i)]})));
@@ -146,7 +147,7 @@ std::string surface_error(const Complex& c) {
 
 std::string manifold_error(const Complex& c) {
   const std::string error = facet_error(c);
-  if (!error.empty()) return error;
+  if (!error.empty() || c.dim == 0) return error;
   return c.dim == 1 ? curve_error(c) : c.dim == 2 ? surface_error(c) : solid_error(c);
 }
 
@@ -155,7 +156,7 @@ bool is_manifold(const Complex& c) {
 }
 
 bool is_orientable(const Complex& c) {
-  if (c.dim == 1) return true;
+  if (c.dim <= 1) return true;
   if (c.dim == 3) return is_orientable_solid(c);
   const std::vector<Region> all = regions(glue(c)).types;
   return std::all_of(all.begin(), all.end(), [](const Region& r) { return r.orientable; });
@@ -178,6 +179,7 @@ Signature curve_signature(const Complex& c) {
 
 Signature signature(const Complex& c) {
   if (c.dim == 3) return solid_signature(c);
+  if (c.dim == 0) return {number_of_components(c)};
   return c.dim == 1 ? curve_signature(c) : signature(regions(glue(c)).types);
 }
 

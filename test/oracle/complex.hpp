@@ -17,7 +17,7 @@ namespace multimesh::oracle {
 /// The vertices of a facet in some order; edges and triangles leave the last entries unused.
 using Facet = std::array<int, 4>;
 
-/// A pure simplicial complex of dimension 1 to 3, given by its facets. Vertices are arbitrary ints other than
+/// A pure simplicial complex of dimension 0 to 3, given by its facets. Vertices are arbitrary ints other than
 /// kOmega; the first dim + 1 entries of a facet count, the others are ignored.
 struct Complex {
   int dim = 2;
@@ -60,7 +60,7 @@ SimplexSet star(const SimplexSet& K, const Simplex& s);
 /// The simplices t of K, disjoint from s, with s ∪ t in K.
 SimplexSet link(const SimplexSet& K, const Simplex& s);
 
-/// The closure of the (dim-1)-simplices that lie in exactly one facet.
+/// The closure of the (dim-1)-simplices that lie in exactly one facet; empty for dim 0.
 SimplexSet boundary(const Complex& c);
 
 /// K ∪ {omega} ∪ omega*B: the complex with the subcomplex B coned to `omega`; K itself when B is empty.
@@ -94,12 +94,12 @@ std::vector<int> boundary_points(const Complex& c);
 std::string manifold_error(const Complex& c);
 bool is_manifold(const Complex& c);
 
-/// Whether all facets can be oriented consistently; true for dim 1.
+/// Whether all facets can be oriented consistently; true for dim 0 and 1.
 bool is_orientable(const Complex& c);
 
 /// The homeomorphism type of a manifold: for every component (Euler characteristic, number of boundary loops
-/// or points, orientable), sorted. Complete by the classification of surfaces and of curves. In dimension 3,
-/// see solid.hpp, it is not.
+/// or points, orientable), sorted; of points, how many. Complete by the classification of surfaces and of
+/// curves. In dimension 3, see solid.hpp, it is not.
 Signature signature(const Complex& c);
 
 }  // namespace multimesh::oracle

@@ -24,7 +24,7 @@ struct Side {
 }  // namespace
 
 bool orient(Complex& c, const std::function<bool()>& mirror) {
-  if (c.dim == 1) return true;
+  if (c.dim <= 1) return true;
   std::map<Simplex, std::vector<Side>> sides;
   const auto side = [&](std::size_t f, int i) {
     return minus(facet_simplex(c, f), simplex({c.facets[f][static_cast<std::size_t>(i)]}));

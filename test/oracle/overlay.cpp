@@ -58,6 +58,8 @@ class SurfaceOverlay {
     for (const EdgeUse& use : uses_) {
       if (contains(cuts, use.edge)) add_edge(use, mark_boundary && use.count == 1);
     }
+    for (std::size_t f = 0; f < host.facets.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i) add_point(host.facets[f][i], f);
   }
 
   Signature regions() const {
@@ -82,7 +84,7 @@ class SurfaceOverlay {
     for (std::size_t l = 0; l < layers_.size(); ++l) {
       const int preimages = layers_[l].count(use.edge);
       if (layers_[l].dim() == 1 && preimages > 0) return true;
-      if (layers_[l].dim() == 1 || use.count != 2) continue;
+      if (layers_[l].dim() < 2 || use.count != 2) continue;
       const bool one = covered_[static_cast<std::size_t>(use.facet[0])] >> l & 1;
       const bool two = covered_[static_cast<std::size_t>(use.facet[1])] >> l & 1;
       if (one != two || (one && preimages != 1)) return true;
@@ -123,6 +125,17 @@ class SurfaceOverlay {
       const bool on_rim = std::binary_search(rim_.begin(), rim_.end(), v);
       graph_.vertices[v] = label(simplex({v}), on_rim);
     }
+  }
+
+  /// A vertex of a facet that lies under a point and on no cut edge.
+  void add_point(int v, std::size_t facet) {
+    const Simplex point = simplex({v});
+    const bool covered = std::any_of(layers_.begin(), layers_.end(), [&](const LayerImage& layer) {
+      return layer.dim() == 0 && layer.count(point) > 0;
+    });
+    if (!covered || graph_.vertices.contains(v)) return;
+    const bool on_rim = std::binary_search(rim_.begin(), rim_.end(), v);
+    graph_.vertices[v] = mix(label(point, on_rim), code(region_of(facet)));
   }
 
   const std::vector<LayerImage>& layers_;
@@ -178,7 +191,7 @@ OverlayType overlay_type(const Complex& host, const std::vector<Layer>& layers, 
   if (host.dim == 3) return solid_overlay_type(host, layers, host_boundary);
   const std::vector<LayerImage> images(layers.begin(), layers.end());
   OverlayType type;
-  if (host.dim == 1) {
+  if (host.dim <= 1) {
     type.graph = curve_graph(host_boundary ? host : lengthened(host), images);
     return type;
   }

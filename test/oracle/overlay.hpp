@@ -30,13 +30,14 @@ struct OverlayType {
 /// than one (a seam has two). The host is cut along them; each *region* gives (Euler characteristic, boundary
 /// loops, orientable, which layers cover it). The *graph* consists of the cut edges. Its vertices carry, per
 /// layer, the number of preimages, and whether they lie on the boundary of the host; its edges carry the same
-/// and the types of the regions on both sides; see graph_type().
+/// and the types of the regions on both sides; see graph_type(). A vertex under a point layer that is on no
+/// cut edge is one more vertex, with the type of the region that it lies in.
 ///
 /// `host_boundary` false: every boundary loop of the host is first closed by a cone, which no layer covers,
 /// so that an image may come to touch the boundary of the host, or leave it, unseen. The boundary of a
 /// surface layer is then part of the cut graph everywhere.
 ///
-/// Host of dimension 1: no regions; the graph is the host, with preimage counts on vertices and edges;
+/// Host of dimension 0 or 1: no regions; the graph is the host, with preimage counts on vertices and edges;
 /// without `host_boundary` it is first lengthened at its ends.
 ///
 /// Host of dimension 3: see solid_overlay.hpp.

@@ -14,8 +14,9 @@ namespace multimesh::oracle {
 
 std::string to_string(SolidTreeKind kind) {
   static const std::array<const char*, kNumberOfSolidTreeKinds> kNames{
-      "curve in solid", "surface",         "surface, guarded",  "surfaces, guarded", "curve of surface",
-      "boundary",       "part of a solid", "part of cut solid", "mixed in solid"};
+      "curve in solid",   "surface",         "surface, guarded",        "surfaces, guarded",
+      "curve of surface", "boundary",        "part of a solid",         "part of cut solid",
+      "mixed in solid",   "points in solid", "points of curve in solid"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -42,6 +43,11 @@ class SolidTreeBuilder {
     return add(curve_child(mesh(parent), parent, random_edges(mesh(parent), rng_)));
   }
 
+  int points(int parent) {
+    if (failed_) return 0;
+    return add(point_child(parent, random_points(mesh(parent), rng_)));
+  }
+
   int surface() { return add(cut_child(0, random_triangles(mesh(0), rng_))); }
 
   int boundary_of(int parent) {
@@ -59,7 +65,7 @@ class SolidTreeBuilder {
     return add(cut_child(parent, tets, cuts));
   }
 
-  /// A curve on what is not one surface; nothing where there are points that no curve can hold.
+  /// A curve on what is not one surface, and points where no curve can hold that.
   void guard() {
     if (failed_) return;
     std::vector<Layer> layers;
@@ -68,9 +74,13 @@ class SolidTreeBuilder {
     SingularSet singular = singular_set(mesh(0), layers, false);
     const SingularSet joint = singular_set(mesh(0), layers, true);
     singular.edges = unite(singular.edges, joint.edges);
-    if (!singular.isolated.empty() || !joint.isolated.empty()) return void(fail());
     singular.corners.insert(singular.corners.end(), joint.corners.begin(), joint.corners.end());
     if (!singular.edges.empty()) add(curve_child(mesh(0), 0, singular.edges, singular.corners));
+    std::vector<int> points = singular.isolated;
+    points.insert(points.end(), joint.isolated.begin(), joint.isolated.end());
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (!points.empty()) add(point_child(0, points));
   }
 
  private:
@@ -118,6 +128,12 @@ void build(SolidTreeBuilder& b, SolidTreeKind kind) {
       b.boundary_of(b.part(0, false));
       b.curve(b.curve(b.surface()));
       return void(b.curve(0));
+    case SolidTreeKind::kPoints:
+      return void(b.points(0));
+    case SolidTreeKind::kPointsOfCurve:
+      b.points(b.curve(b.surface()));
+      b.points(b.part(0, false));
+      return void(b.points(0));
   }
 }
 

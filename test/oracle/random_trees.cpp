@@ -11,8 +11,8 @@ namespace multimesh::oracle {
 
 std::string to_string(TreeKind kind) {
   static const std::array<const char*, kNumberOfTreeKinds> kNames{
-      "curve",          "two curves",     "uv",       "uv patch",    "uv, seam of root",
-      "uv, seam of uv", "curve of curve", "uv of uv", "curve of uv", "mixed"};
+      "curve",    "two curves",  "uv",    "uv patch", "uv, seam of root", "uv, seam of uv", "curve of curve",
+      "uv of uv", "curve of uv", "mixed", "points",   "points of uv",     "points of curve"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -63,6 +63,16 @@ SimplexSet random_edges(const Complex& mesh, std::mt19937_64& rng) {
   return edges;
 }
 
+std::vector<int> random_points(const Complex& mesh, std::mt19937_64& rng) {
+  const std::vector<int> all = vertices(mesh);
+  const std::size_t percent = 5 + pick(rng, 40);
+  std::vector<int> some;
+  for (const int v : all)
+    if (chance(rng, percent)) some.push_back(v);
+  if (some.empty()) some.push_back(all[pick(rng, all.size())]);
+  return some;
+}
+
 Simplex random_root_edge(const Tree& tree, std::mt19937_64& rng) {
   const SimplexSet edges = simplices(tree.nodes[0].mesh, 1);
   return edges[pick(rng, edges.size())];
@@ -80,6 +90,8 @@ class TreeBuilder {
   Tree take() { return std::move(tree_); }
 
   int curve(int parent) { return add(curve_child(mesh(parent), parent, random_edges(mesh(parent), rng_))); }
+
+  int points(int parent) { return add(point_child(parent, random_points(mesh(parent), rng_))); }
 
   /// Some edges of a curve, cut at some vertices.
   int sub_curve(int parent) {
@@ -150,6 +162,12 @@ bool build(TreeBuilder& builder, TreeKind kind) {
       return builder.curve(builder.any_uv()) > 0;
     case TreeKind::kMixed:
       return builder.seam(builder.any_uv(), 1) > 0 && builder.sub_curve(builder.curve(0)) > 0;
+    case TreeKind::kPoints:
+      return builder.points(0) > 0;
+    case TreeKind::kPointsOfUv:
+      return builder.points(builder.any_uv()) > 0 && builder.points(0) > 0;
+    case TreeKind::kPointsOfCurve:
+      return builder.points(builder.points(builder.curve(0))) > 0 && builder.points(0) > 0;
   }
   return false;
 }

@@ -23,9 +23,12 @@ enum class TreeKind {
   kCurveOfCurve,  ///< 0 <- curve <- some of its edges, further cut
   kUvOfUv,        ///< 0 <- surface <- the same or a part, cut further
   kCurveOfUv,     ///< 0 <- surface <- random curve
-  kMixed          ///< 0 <- surface (<- seam curve), 0 <- curve (<- curve): five meshes
+  kMixed,         ///< 0 <- surface (<- seam curve), 0 <- curve (<- curve): five meshes
+  kPoints,        ///< 0 <- points
+  kPointsOfUv,    ///< 0 <- surface <- points, 0 <- points
+  kPointsOfCurve  ///< 0 <- curve <- points <- points, 0 <- points
 };
-inline constexpr int kNumberOfTreeKinds = 10;
+inline constexpr int kNumberOfTreeKinds = 13;
 
 std::string to_string(TreeKind kind);
 /// Found by GoogleTest, which prints the bytes of a parameter otherwise.
@@ -47,6 +50,9 @@ Tree random_tree(std::uint64_t seed, const TreeOptions& options = {});
 
 /// Random edges of a mesh of dim 1 or 2, at least one: single edges, walks, and rings around a vertex.
 SimplexSet random_edges(const Complex& mesh, std::mt19937_64& rng);
+
+/// Random vertices of a mesh, ascending, at least one.
+std::vector<int> random_points(const Complex& mesh, std::mt19937_64& rng);
 
 /// A random root edge.
 ///

@@ -69,6 +69,16 @@ TreeNode curve_child(const Complex& parent, int parent_index, const SimplexSet& 
   return node;
 }
 
+TreeNode point_child(int parent_index, const std::vector<int>& over) {
+  TreeNode node{{0, {}}, parent_index, {}};
+  for (const int v : over) {
+    const auto point = static_cast<int>(node.mesh.facets.size());
+    node.mesh.facets.push_back({point, -1, -1, -1});
+    node.image[point] = v;
+  }
+  return node;
+}
+
 TreeNode cut_child(int parent_index, const SimplexSet& over, const SimplexSet& cuts) {
   const int corners = over.at(0).n;
   const auto corner = [&](std::size_t facet, int vertex) {

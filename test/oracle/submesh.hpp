@@ -23,9 +23,14 @@ TreeNode surface_child(const Complex& parent, int parent_index, const std::vecto
 TreeNode curve_child(const Complex& parent, int parent_index, const SimplexSet& edges,
                      const std::vector<int>& cut_at = {});
 
-/// A child of any dimension over k-simplices of the parent, whose corners are merged only across sides that
-/// lie in exactly two of them and are not cut. Not a manifold if copies of a side have the same ends, or a
-/// vertex of a solid is not inside a ball: ask tree_error().
+/// A child of points over vertices of the parent, one each.
+///
+/// \pre `over` not empty, without duplicates
+TreeNode point_child(int parent_index, const std::vector<int>& over);
+
+/// A child of dimension 1 or more over k-simplices of the parent, whose corners are merged only across sides
+/// that lie in exactly two of them and are not cut. Not a manifold if copies of a side have the same ends, or
+/// a vertex of a solid is not inside a ball: ask tree_error().
 ///
 /// \pre `over` not empty, of one dimension
 TreeNode cut_child(int parent_index, const SimplexSet& over, const SimplexSet& cuts = {});

@@ -16,7 +16,8 @@ Shadow::Shadow(MultiMesh& tree, std::uint64_t seed)
 }
 
 std::string Shadow::step() {
-  const NodeId n = tree_.nodes()[oracle::pick(rng_, tree_.nodes().size())];
+  NodeId n = tree_.nodes()[oracle::pick(rng_, tree_.nodes().size())];
+  while (tree_.mesh(n).dimension() == 0) n = tree_.parent(n);  // points have no edges
   const Dart d = random_dart(n);
   const auto k = static_cast<std::size_t>(tree_.mesh(n).dimension());
   const std::size_t facets = plain_.nodes[0].mesh.facets.size();

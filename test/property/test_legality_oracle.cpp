@@ -45,7 +45,7 @@ bool promised(Promise promise, const oracle::Tree& tree, const oracle::Signature
   if (promise == Promise::homotopy || promise == Promise::homotopy_of_children)
     return dimension(tree, part.host) == 3 && part.aspect != oracle::SignaturePart::Aspect::kGraph;
   if (part.node < 0) return false;
-  return dimension(tree, part.node) == 1 &&
+  return dimension(tree, part.node) <= 1 &&
          tree.nodes[static_cast<std::size_t>(part.node)].parent == part.host;
 }
 
@@ -58,9 +58,11 @@ struct Case {
   friend void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 };
 
-constexpr std::array guarded{oracle::TreeKind::kUvRootSeam, oracle::TreeKind::kUvSeam};
+constexpr std::array guarded{oracle::TreeKind::kUvRootSeam, oracle::TreeKind::kUvSeam,
+                             oracle::TreeKind::kPoints};
 constexpr std::array with_bare_seams{oracle::TreeKind::kUv, oracle::TreeKind::kUvPatch,
-                                     oracle::TreeKind::kUvOfUv, oracle::TreeKind::kCurveOfUv};
+                                     oracle::TreeKind::kUvOfUv, oracle::TreeKind::kCurveOfUv,
+                                     oracle::TreeKind::kPointsOfUv};
 
 Case surface_case(oracle::TreeKind kind, bool joint, bool at_contacts, Promise promise) {
   const auto make = [=](std::uint64_t seed) {
@@ -95,10 +97,12 @@ std::vector<Case> cases() {
     const auto k = static_cast<oracle::SolidTreeKind>(i);
     const bool everything = k == oracle::SolidTreeKind::kSurfaceGuarded ||
                             k == oracle::SolidTreeKind::kSurfacesGuarded ||
-                            k == oracle::SolidTreeKind::kCurve || k == oracle::SolidTreeKind::kBoundary;
+                            k == oracle::SolidTreeKind::kCurve || k == oracle::SolidTreeKind::kBoundary ||
+                            k == oracle::SolidTreeKind::kPoints;
     all.push_back(solid_case(k, false, everything ? Promise::everything : Promise::homotopy));
-    const bool joint_guard =
-        k == oracle::SolidTreeKind::kSurfaceGuarded || k == oracle::SolidTreeKind::kSurfacesGuarded;
+    const bool joint_guard = k == oracle::SolidTreeKind::kSurfaceGuarded ||
+                             k == oracle::SolidTreeKind::kSurfacesGuarded ||
+                             k == oracle::SolidTreeKind::kPoints;
     all.push_back(solid_case(k, true, joint_guard ? Promise::everything : Promise::homotopy_of_children));
   }
   return all;

@@ -30,7 +30,8 @@ struct Count {
     splits += s.splits, collapses += s.collapses, swaps += s.swaps, refused += s.refused;
     face_swaps += s.face_swaps, insertions += s.insertions;
   }
-  void report() const {
+  /// Curves have no swaps.
+  void report(bool with_swaps = true) const {
     std::printf("splits %zu, collapses %zu, swaps %zu, face swaps %zu, insertions %zu, refused %zu\n", splits,
                 collapses, swaps, face_swaps, insertions, refused);
     testing::Test::RecordProperty("splits", static_cast<int>(splits));
@@ -39,7 +40,7 @@ struct Count {
     testing::Test::RecordProperty("refused", static_cast<int>(refused));
     EXPECT_GT(10 * splits, refused) << "nearly everything was refused: the test says little";
     EXPECT_GT(10 * collapses, refused);
-    EXPECT_GT(100 * swaps, refused);
+    EXPECT_TRUE(!with_swaps || 100 * swaps > refused);
   }
 };
 
@@ -57,6 +58,7 @@ bool is_guarded(oracle::TreeKind kind) {
     case oracle::TreeKind::kUvPatch:
     case oracle::TreeKind::kUvOfUv:
     case oracle::TreeKind::kCurveOfUv:
+    case oracle::TreeKind::kPointsOfUv:
       return false;
     default:
       return true;
@@ -94,9 +96,9 @@ class MapOracleInSolids : public testing::TestWithParam<int> {};
 // All that is promised of collapses is promised of swaps, which end with one.
 TEST_P(MapOracleInSolids, RandomPlainTreesEqualBruteForceAfterEachOperation) {
   const auto kind = static_cast<oracle::SolidTreeKind>(GetParam());
-  const bool is_guarded = kind == oracle::SolidTreeKind::kCurve ||
-                          kind == oracle::SolidTreeKind::kSurfaceGuarded ||
-                          kind == oracle::SolidTreeKind::kSurfacesGuarded;
+  const bool is_guarded =
+      kind == oracle::SolidTreeKind::kCurve || kind == oracle::SolidTreeKind::kSurfaceGuarded ||
+      kind == oracle::SolidTreeKind::kSurfacesGuarded || kind == oracle::SolidTreeKind::kPoints;
   Count count;
   const std::size_t each = 50;
   for (std::uint64_t seed = 0; seed < operations_per_kind() / each / 2; ++seed) {
@@ -155,7 +157,7 @@ TEST_P(MapOracleOnGrids, EqualBruteForceAfterEachOperation) {
     run(*tree->tree, seed, each, count);
     if (HasFatalFailure()) return;
   }
-  if (each == 100) count.report();
+  if (each == 100) count.report(GetParam().make(24, 0)->tree->mesh(NodeId::root).dimension() > 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Trees, MapOracleOnGrids, testing::ValuesIn(tree_kinds()),

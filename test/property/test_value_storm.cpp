@@ -121,7 +121,8 @@ class ValueStorm {
     told_.clear();
     pending_.clear();
     const auto nodes = tree_.tree->nodes();
-    const NodeId n = nodes[random_() % nodes.size()];
+    NodeId n = nodes[random_() % nodes.size()];
+    while (tree_.tree->mesh(n).dimension() == 0) n = tree_.tree->parent(n);  // points have no edges
     const Dart d = random_dart(n);
     Propagation& ops = *tree_.operations;
     const auto k = static_cast<unsigned>(tree_.tree->mesh(n).dimension());

@@ -12,7 +12,7 @@
 namespace multimesh::test {
 namespace {
 
-enum class Tags { edges, edges_and_ends };
+enum class Tags { edges, edges_and_ends, edges_and_points };
 
 struct Agreement {
   std::size_t candidates = 0, both_allow = 0, both_refuse = 0;
@@ -38,22 +38,32 @@ oracle::SimplexSet ends_of_chains(const oracle::Tree& tree) {
   return points;
 }
 
+/// All that points of the tree lie over.
+oracle::SimplexSet images_of_points(const oracle::Tree& tree) {
+  oracle::SimplexSet points;
+  for (std::size_t i = 1; i < tree.nodes.size(); ++i)
+    if (tree.nodes[i].mesh.dim == 0) points = oracle::unite(points, image(tree, static_cast<int>(i), 0));
+  return points;
+}
+
 class VivodtzevOracle : public testing::Test {
  protected:
   /// Tries a quarter of all candidates; `disagree(tags_allow, trial, where)` is called for each difference.
   template <class Disagree>
-  Agreement compare(bool joint, bool cut, Tags tags, const Disagree& disagree) {
+  Agreement compare(bool joint, bool cut, Tags tags, const Disagree& disagree,
+                    oracle::TreeKind kind = oracle::TreeKind::kCurve) {
     Agreement count;
     const std::size_t wanted = total_candidates(100'000) / 4;
     const auto strata = joint ? oracle::Strata::kJoint : oracle::Strata::kSeparate;
     const std::uint64_t first = (joint ? 2'000'000U : 0U) + (cut ? 1'000'000U : 0U);
     for (std::uint64_t seed = first; count.candidates < wanted; ++seed) {
-      oracle::Tree plain = oracle::random_tree(seed, oracle::TreeKind::kCurve, orientable_surface(seed));
+      oracle::Tree plain = oracle::random_tree(seed, kind, orientable_surface(seed));
       if (cut) plain = cut_at_contacts(plain);
       CollapseTrials trials(plain, seed, {.contact = joint}, {joint, false});
       const oracle::Tree& tree = trials.plain();
       oracle::TaggedSurface tagged{tree.nodes[0].mesh, of_dimension(image(tree, 1, 0), 1), {}};
       if (tags == Tags::edges_and_ends) tagged.vertices = ends_of_chains(tree);
+      if (tags == Tags::edges_and_points) tagged.vertices = images_of_points(tree);
       trials.run([&](const Trial& t) {
         ASSERT_EQ(t.fault, "") << trials.describe(t);
         const bool allowed = substructure_link_condition(tagged, t.edge.v[0], t.edge.v[1], strata);
@@ -78,6 +88,29 @@ TEST_F(VivodtzevOracle, SeparateStrataAllowExactlyWhatWeDo) {
 // tagged vertices.
 TEST_F(VivodtzevOracle, TaggedVerticesAreEndsOfChains) {
   compare(false, true, Tags::edges_and_ends, none).print("separate, cut at contacts");
+}
+
+// Meshes of dimension 0: points that must stay points of their own.
+TEST_F(VivodtzevOracle, TaggedVerticesArePoints) {
+  compare(false, false, Tags::edges_and_points, none, oracle::TreeKind::kPoints).print("points");
+}
+TEST_F(VivodtzevOracle, TaggedVerticesArePointsAlsoWhereTheBoundaryCounts) {
+  compare(true, false, Tags::edges_and_points, none, oracle::TreeKind::kPoints).print("points, joint");
+}
+
+// Class of differences: tags also keep a point apart from the end of a chain, both of which are vertices of
+// order 2. For us the chain may shrink until it ends at the point. So tags refuse more, and nothing of what
+// they refuse more changes the curve or the points.
+TEST_F(VivodtzevOracle, TaggedVerticesArePointsBesideAndBelowCurves) {
+  const auto classify = [](bool tags_allow, const Trial& t, const std::string& where) {
+    EXPECT_FALSE(tags_allow) << where;
+    EXPECT_TRUE(t.unchanged()) << where;
+  };
+  const Agreement count =
+      compare(false, false, Tags::edges_and_points, classify, oracle::TreeKind::kPointsOfCurve);
+  count.print("points and curves");
+  EXPECT_GT(count.only_we_allow, 0U) << "the class is empty: drop it";
+  EXPECT_LT(count.only_we_allow, count.candidates / 50);
 }
 
 // Class of differences: the joint condition guards the points at which the curve meets or leaves the boundary

@@ -66,6 +66,7 @@ void ValueColumns::follow_by(Arguments&&... arguments) {
 void ValueColumns::add_to_openmesh(std::mt19937& random) {
   using namespace OpenMesh;
   const bool surface = mesh_.dimension() == 2;
+  if (mesh_.dimension() == 0) return add_to_points(random);
   vertices_.carried = &property<int, VPropHandleT>("carried", false);
   vertices_.mean = &property<double, VPropHandleT>("mean", false);
   corners_.carried = &property<int, HPropHandleT>("carried", false);
@@ -101,6 +102,16 @@ void ValueColumns::add_to_openmesh(std::mt19937& random) {
   follow_by<Column<double>>(facets_.k, *facets_.part, shared_out());
   follow_by<Column<int>>(corners, corners_.plain);
   follow_by<Column<double>>(corners, *corners_.mean, ColumnRules<double>::interpolate());
+}
+
+// Values on points are those on vertices.
+void ValueColumns::add_to_points(std::mt19937& random) {
+  vertices_.carried = &property<int, OpenMesh::VPropHandleT>("carried", false);
+  vertices_.mean = &property<double, OpenMesh::VPropHandleT>("mean", false);
+  vertices_.plain.resize(mesh_.capacity(0));
+  vertices_.fill(random);
+  follow_by<VertexAttribute<int>>(vertices_.plain);
+  follow_by<VertexAttribute<double>>(*vertices_.mean);
 }
 
 void ValueColumns::add_to_tetrahedra(std::mt19937& random) {
@@ -157,6 +168,7 @@ void move_all(std::vector<double>& values, const std::vector<Index>& place, std:
 void ValueColumns::follow(const Compaction& moved) {
   move_all(vertices_.plain, moved.simplices[0], mesh_.capacity(0));
   const auto d = static_cast<std::size_t>(mesh_.dimension());
+  if (d == 0) return;
   move_all(facets_.plain, moved.simplices[d], mesh_.capacity(mesh_.dimension()));
   if (tets_) {
     move_all(*vertices_.mean, moved.simplices[0], mesh_.capacity(0));

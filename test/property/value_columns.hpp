@@ -40,6 +40,7 @@ class ValueColumns {
     void fill(std::mt19937& random);
   };
   void add_to_openmesh(std::mt19937& random);
+  void add_to_points(std::mt19937& random);
   void add_to_tetrahedra(std::mt19937& random);
   template <class T, template <class> class Handle>
   std::vector<T>& property(const char* name, bool left);

@@ -64,7 +64,8 @@ class Words {
     }
     const Mesh& above = tree.mesh(tree.parent(n));
     for (Index s = 0; s < above.capacity(k); ++s)
-      if (above.is_live(k, s)) put(std::uint64_t{tree.facet_over(n, above.dart_of(k, s))});
+      if (above.is_live(k, s) && above.dart_of(k, s) != no_dart)
+        put(std::uint64_t{tree.facet_over(n, above.dart_of(k, s))});
   }
 
   /// Of all slots; of a tetrahedral mesh, which uses them again, those of live vertices.

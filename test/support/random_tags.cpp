@@ -23,6 +23,19 @@ std::vector<bool> random_path(const Mesh& mesh, std::size_t length, std::mt19937
   return tagged;
 }
 
+std::function<bool(Index)> random_points(const Mesh& mesh, unsigned seed, unsigned share) {
+  std::mt19937 random(seed);
+  std::vector<bool> tagged(mesh.capacity(0), false);
+  Index in_facet = no_index;
+  for (Index v = 0; v < tagged.size(); ++v) {
+    if (!mesh.is_live(0, v) || mesh.dart_of(0, v) == no_dart) continue;
+    tagged[v] = random() % share == 0;
+    in_facet = v;
+  }
+  tagged.at(in_facet) = true;
+  return [tagged](Index v) { return v < tagged.size() && tagged[v]; };
+}
+
 std::function<bool(Index)> random_seams(const Mesh& mesh, unsigned seed) {
   std::mt19937 random(seed);
   auto seam = random_path(mesh, 3 + mesh.capacity(1) / 12, random);

@@ -13,6 +13,9 @@ namespace multimesh::test {
 /// A random simple path of edges, closed or open: a walk that does not visit a vertex twice.
 std::vector<bool> random_path(const Mesh& mesh, std::size_t length, std::mt19937& random);
 
+/// About one vertex of `share`, at least one; those that are in a facet.
+std::function<bool(Index)> random_points(const Mesh& mesh, unsigned seed, unsigned share = 6);
+
 /// Two random paths.
 std::function<bool(Index)> random_seams(const Mesh& mesh, unsigned seed);
 

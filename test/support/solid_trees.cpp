@@ -52,6 +52,9 @@ struct Maker {
   NodeId curve(NodeId n) {
     return t->add_tagged(n, 1, random_seams(t->tree->mesh(n), static_cast<unsigned>(random() % 1000)));
   }
+  NodeId points(NodeId n) {
+    return t->add_tagged(n, 0, random_points(t->tree->mesh(n), static_cast<unsigned>(random() % 1000)));
+  }
   bool is_closed(NodeId surface) const {
     const Mesh& mesh = t->tree->mesh(surface);
     for (Index e = 0; e < mesh.capacity(1); ++e)
@@ -154,6 +157,19 @@ std::unique_ptr<Tree> cut_tree(Index size, unsigned seed) {
   return std::move(m.t);
 }
 
+/// Points below all that can be below tetrahedra.
+std::unique_ptr<Tree> points_tree(Index size, unsigned seed) {
+  Maker m(size, seed);
+  m.points(NodeId::root);
+  m.points(m.t->add_tagged(NodeId::root, 3, in(random_lump(m.root(), size / 2, m.random))));
+  const NodeId surface = m.surface(seed % 2);
+  m.points(surface);
+  const NodeId curve = m.curve(surface);
+  m.points(curve);
+  if (seed % 3 == 0) m.t->operations->set({.contact = true});
+  return std::move(m.t);
+}
+
 /// The smallest 3-torus that can be worked on has 384 tetrahedra, whatever the size asked for.
 std::unique_ptr<Tree> torus3_tree(Index, unsigned) {
   auto t = std::make_unique<Tree>(torus3(4));
@@ -177,7 +193,8 @@ const std::vector<TreeKind>& solid_tree_kinds() {
                                            {"SolidNonManifold", non_manifold_tree},
                                            {"SolidPart", part_tree},
                                            {"SolidCut", cut_tree},
-                                           {"Torus3Tile", torus3_tree}};
+                                           {"Torus3Tile", torus3_tree},
+                                           {"SolidPoints", points_tree}};
   return kinds;
 }
 

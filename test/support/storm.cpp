@@ -45,6 +45,7 @@ void Storm::step() {
   auto choice = static_cast<unsigned>(random_() % 100);
   if (live_ > most_) choice = 40 + choice / 2;
   if (live_ < fewest_) choice /= 3;
+  if (dimension == 0) choice = 95;  // points can only be moved
   bool ok = false;
   if (choice < 35) {
     ok = bool(ops.split(n, d, 0.25 * static_cast<double>(1 + random_() % 3)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kinds of tree with a surface at the root.
+// The kinds of tree with a surface or curves at the root.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -68,6 +68,44 @@ std::unique_ptr<Tree> curve_in_curve_tree(Index size, unsigned seed) {
   return t;
 }
 
+void add_points(Tree& t, NodeId parent, unsigned seed) {
+  t.add_tagged(parent, 0, random_points(t.tree->mesh(parent), seed));
+}
+
+std::unique_ptr<Tree> points_tree(Index size, unsigned seed) {
+  auto t = uv_tree(size, seed);
+  add_points(*t, NodeId{1}, seed);
+  add_points(*t, NodeId::root, seed + 1);
+  const NodeId curve = t->add_tagged(NodeId::root, 1, random_seams(t->tree->mesh(NodeId::root), seed + 2));
+  const Mesh& mesh = t->tree->mesh(curve);
+  bool closed = true;
+  for (Index v = 0; v < mesh.capacity(0); ++v)
+    closed = closed && !(mesh.is_live(0, v) && mesh.is_boundary(mesh.dart_of(0, v), 0));
+  if (!closed) add_points(*t, t->add_boundary(curve), seed + 3);  // some of its ends
+  add_points(*t, curve, seed + 4);
+  if (seed % 2) t->operations->set({.contact = true});
+  return t;
+}
+
+/// Chains and loops; some of their edges, and points on both.
+std::unique_ptr<Tree> curves_with_points_tree(Index size, unsigned seed) {
+  Shape curves{{1, 0, {}}, {}};
+  for (Index at = 0, chain = 0; at < size; ++chain) {
+    const Index n = 5 + (7 * chain + seed) % 9, first = curves.facets.vertices;
+    const bool loop = (chain + seed) % 2;
+    for (Index i = 0; i < n; ++i)
+      curves.facets.corners.insert(curves.facets.corners.end(),
+                                   {first + i, loop && i + 1 == n ? first : first + i + 1});
+    curves.facets.vertices += loop ? n : n + 1;
+    at += n;
+  }
+  for (Index v = 0; v < curves.facets.vertices; ++v) curves.points.push_back({double(v), double(v % 7), 0});
+  auto t = std::make_unique<Tree>(curves);
+  add_points(*t, NodeId::root, seed);
+  add_points(*t, t->add_tagged(NodeId::root, 1, [](Index e) { return e % 4 != 3; }), seed + 1);
+  return t;
+}
+
 std::unique_ptr<Tree> torus_tree(Index size, unsigned) {
   const auto side = std::max<Index>(4, static_cast<Index>(std::sqrt(size / 2.0)));
   auto t = std::make_unique<Tree>(torus(side, side));
@@ -86,7 +124,13 @@ const std::vector<TreeKind>& surface_tree_kinds() {
                                            {"SurfaceBoundaryFeatures", curves_tree},
                                            {"UvThreeDeep", deep_tree},
                                            {"CurvesBelowCurves", curve_in_curve_tree},
-                                           {"TorusTile", torus_tree}};
+                                           {"TorusTile", torus_tree},
+                                           {"SurfacePoints", points_tree}};
+  return kinds;
+}
+
+const std::vector<TreeKind>& curve_tree_kinds() {
+  static const std::vector<TreeKind> kinds{{"CurvesPoints", curves_with_points_tree}};
   return kinds;
 }
 

@@ -77,7 +77,7 @@ Topology topology(const Mesh& mesh) {
       all.join(v[0], v[i]);
     }
   }
-  const std::vector<Key> boundary = single(faces(facets, d, d - 1));
+  const std::vector<Key> boundary = d == 0 ? std::vector<Key>{} : single(faces(facets, d, d - 1));
   std::vector<std::array<Index, 4>> sides;
   for (const Key& side : boundary) {
     sides.push_back({side[0], side[1], side[2], no_index});
@@ -90,7 +90,7 @@ Topology topology(const Mesh& mesh) {
   t.components = count_sets(all, used);
   t.euler = std::count(used.begin(), used.end(), true);
   for (int k = 1; k < d; ++k) t.euler += (k % 2 ? -1 : 1) * count_different(faces(facets, d, k));
-  t.euler += (d % 2 ? -1 : 1) * static_cast<long>(facets.size());
+  if (d > 0) t.euler += (d % 2 ? -1 : 1) * static_cast<long>(facets.size());
   t.boundary = count_sets(rim, on_rim);
   if (d == 3)
     t.boundary_euler = std::count(on_rim.begin(), on_rim.end(), true) - count_different(faces(sides, 2, 1)) +

@@ -113,7 +113,8 @@ Outcome Tree::move(NodeId n, Dart v, const Point3& by) {
 const std::vector<TreeKind>& tree_kinds() {
   static const std::vector<TreeKind> all = [] {
     std::vector<TreeKind> kinds = surface_tree_kinds();
-    kinds.insert(kinds.end(), solid_tree_kinds().begin(), solid_tree_kinds().end());
+    for (const auto& more : {curve_tree_kinds(), solid_tree_kinds()})
+      kinds.insert(kinds.end(), more.begin(), more.end());
     return kinds;
   }();
   return all;

@@ -49,12 +49,17 @@ struct TreeKind {
 };
 
 /// Below a surface: UV; UV + seam curves below the UV; boundary + feature curves; UV of UV, three deep;
-/// curves below curves; a torus with its square tile.
+/// curves below curves; a torus with its square tile; points on the surface, on its UV, on curves and on the
+/// ends of those.
 const std::vector<TreeKind>& surface_tree_kinds();
+
+/// Below curves: points, and some of the edges with points.
+const std::vector<TreeKind>& curve_tree_kinds();
 
 /// Below a tetrahedral mesh: its boundary; a closed surface; an open one + its boundary; two that meet in
 /// curves + those; boundary + curves on it and beside it; any triangles and edges; a part + its boundary +
-/// curves, three deep; all of it cut open + parts; the 3-torus with its cube and the surface of that.
+/// curves, three deep; all of it cut open + parts; the 3-torus with its cube and the surface of that; points
+/// on it, on a part, on a surface and on a curve of that, three deep.
 const std::vector<TreeKind>& solid_tree_kinds();
 
 /// All kinds that the random tests run on.
