@@ -4,14 +4,14 @@
 #include <iostream>
 #include <memory>
 
+#include "adapters/files/formats.hpp"
 #include "adapters/files/surface_file.hpp"
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #include "tools/comparison_json.hpp"
 #include "tools/comparison_page.hpp"
 #include "tools/follow_paths.hpp"
-#include "tools/html_report.hpp"
-#include "tools/output_check.hpp"
+#include "tools/run_report.hpp"
 #include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
@@ -19,10 +19,11 @@ namespace multimesh::tools {
 namespace {
 
 struct CompareArguments {
-  std::string original, other, html;
+  std::string original, other;
+  ReportOptions report;
   CompareOptions options;
   io::SurfaceWeldOptions weld;
-  bool json = false, follow_paths = false;
+  bool follow_paths = false;
 };
 
 /// Lines of a table: a name, then numbers in columns.
@@ -92,39 +93,29 @@ Json side(Json counts) {
   return counts;
 }
 
-std::vector<std::string> write_page(const CompareArguments& a, const files::SurfaceFile& original,
-                                    const files::SurfaceFile& other, const SurfaceComparison& comparison) {
+HtmlReport page_of(const files::SurfaceFile& original, const files::SurfaceFile& other,
+                   const SurfaceComparison& comparison) {
   const Json j = to_json(comparison);
-  return write_comparison_page(a.html,
-                               original.path.filename().string() + " and " + other.path.filename().string(),
-                               html_mesh(original), html_mesh(other), comparison,
-                               {{"before", side(j["original"])}, {"after", side(j["other"])}});
+  return comparison_page(original.path.filename().string() + " and " + other.path.filename().string(),
+                         html_mesh(original), html_mesh(other), comparison,
+                         {{"before", side(j["original"])}, {"after", side(j["other"])}});
 }
 
-void run(const CompareArguments& a) {
-  if (!a.html.empty()) {
-    require_html_report();
-    check_output_path(a.html, {a.original, a.other});
-  }
+void run(const CompareArguments& a, RunReport& report) {
   const files::SurfaceReadOptions how{a.weld, a.follow_paths};
   const files::SurfaceFile original = files::read_surface(a.original, how),
                            other = files::read_surface(a.other, how);
   CompareOptions options = a.options;
-  options.per_vertex = !a.html.empty();
+  options.per_vertex = report.wants_page();
   const SurfaceComparison comparison = compare_surfaces(original.input, other.input, options);
-  std::vector<std::string> notes;
-  if (!a.html.empty()) notes = write_page(a, original, other, comparison);
-  if (a.json) {
-    Json j{{"original_file", a.original}, {"other_file", a.other}, {"samples", a.options.samples}};
-    j.update(to_json(comparison));
-    std::cout << to_text(j);
-  } else {
-    print(a, comparison);
-  }
+  report.json() = {{"original_file", a.original}, {"other_file", a.other}, {"samples", a.options.samples}};
+  report.json().update(to_json(comparison));
+  if (report.wants_page()) report.show(page_of(original, other, comparison));
+  if (!report.is_printed()) print(a, comparison);
+  std::vector<std::string> warnings;
   for (const files::SurfaceFile* file : {&original, &other})
-    for (const auto& w : file->warnings) std::cerr << "warning: " << file->path.string() << ": " << w << '\n';
-  for (const std::string& note : notes) std::cerr << "warning: " << note << '\n';
-  if (!std::cout.flush()) throw InputError("standard output: writing failed");
+    for (const auto& w : file->warnings) warnings.push_back(file->path.string() + ": " + w);
+  report.finish(warnings);
 }
 
 }  // namespace
@@ -133,7 +124,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("compare", "How far a decimated surface, and its texture, are from the original.");
   auto a = std::make_shared<CompareArguments>();
-  command->add_option("ORIGINAL", a->original, "surface, as decimate reads it")->required();
+  command->add_option("ORIGINAL", a->original, std::string("surface: ") + files::all_formats)->required();
   command->add_option("OTHER", a->other, "surface, to be drawn with the original's texture image")
       ->required();
   command->add_option("--samples", a->options.samples, "points per surface")
@@ -145,9 +136,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0U, 1024U))
       ->capture_default_str();
   add_weld_options(*command, a->weld);
-  command->add_flag("--json", a->json, "print JSON");
-  command->add_option("--report-html", a->html,
-                      "write a page with both surfaces in 3D and the errors measured");
+  add_report_options(*command, a->report, "with both surfaces in 3D and the errors measured");
+  add_old_json_flag(*command, a->report);
   add_follow_paths(*command, a->follow_paths);
   command->footer(
       "Example:  multimesh compare cow.obj small.obj\n\n"
@@ -158,8 +148,9 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       "of\n"
       "both if a smooth pattern is painted on the original. The exit status says nothing of how far they "
       "are.");
-  command->callback([a, &exit_code] {
-    run(*a);
+  command->callback([a, command, &exit_code] {
+    RunReport report(*command, a->report, {a->original, a->other});
+    run(*a, report);
     exit_code = done;
   });
 }

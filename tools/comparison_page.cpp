@@ -2,13 +2,11 @@
 #include "tools/comparison_page.hpp"
 
 #include "tools/comparison_json.hpp"
-#include "tools/html_report.hpp"
 
 namespace multimesh::tools {
 
-std::vector<std::string> write_comparison_page(const std::filesystem::path& path, const std::string& title,
-                                               HtmlMesh before, HtmlMesh after, SurfaceComparison comparison,
-                                               Json numbers) {
+HtmlReport comparison_page(const std::string& title, HtmlMesh before, HtmlMesh after,
+                           SurfaceComparison comparison, Json numbers) {
   const Json measured = to_json(comparison);
   numbers["comparison"] = {{"diagonal", measured["diagonal"]},
                            {"distance", measured["distance"]},
@@ -21,7 +19,7 @@ std::vector<std::string> write_comparison_page(const std::filesystem::path& path
   report.errors.push_back({"Distance", std::move(comparison.vertex_distance)});
   if (comparison.texture)
     report.errors.push_back({"Texture deviation", std::move(comparison.vertex_deviation)});
-  return write_html_report(path, report);
+  return report;
 }
 
 }  // namespace multimesh::tools

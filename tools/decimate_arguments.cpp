@@ -106,11 +106,10 @@ void add_options(CLI::App& command, DecimateArguments& a) {
   add_weights(command, a);
   add_follow_paths(command, a.follow_paths);
   add_weld_options(command, a.weld);
-  command.add_option("--report", a.report, "write what was done, and what stood in the way, as JSON");
-  command.add_option("--report-html", a.html,
-                     "write a page with both surfaces in 3D, their atlases and the errors measured");
-  command.add_flag("--measure", a.measure,
-                   "measure the distance and texture deviation reached, for --report");
+  add_report_options(command, a.report, "with both surfaces in 3D, their atlases and the errors measured");
+  command
+      .add_flag("--measure", a.measure, "measure the distance and texture deviation reached, for --report")
+      ->group("Reports");
   command.add_flag("--quiet", a.quiet, "print errors only");
 }
 

@@ -7,12 +7,14 @@
 
 #include "adapters/io/weld_surface.hpp"
 #include "multimesh/algorithms/decimate.hpp"
+#include "tools/run_report.hpp"
 
 namespace multimesh::tools {
 
 /// What the command line of `multimesh decimate` says. Angles in degrees; 0 where an option is not given.
 struct DecimateArguments {
-  std::string input, output, report, html;
+  std::string input, output;
+  ReportOptions report;
   double ratio = 0, max_error = 0, max_texture_error = 0;
   std::size_t faces = 0;
   std::vector<double> levels;  ///< ratios, or numbers of faces

@@ -2,13 +2,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "adapters/files/surface_file.hpp"
-#include "adapters/io/atomic_file.hpp"
 #include "multimesh/algorithms/texture_loss.hpp"
 #include "multimesh/domains/turn_reversed.hpp"
 #include "multimesh/error.hpp"
@@ -40,11 +38,12 @@ bool same_file(const fs::path& x, const fs::path& y) {
   return fs::weakly_canonical(x, error) == fs::weakly_canonical(y, error);
 }
 
-void check_report_path(const std::string& report, const DecimateArguments& a) {
-  std::vector<fs::path> meshes{a.input, a.output};
+/// All that may be written.
+std::vector<std::string> outputs(const DecimateArguments& a) {
+  std::vector<std::string> paths{a.output};
   for (std::size_t level = 1; level <= a.levels.size(); ++level)
-    meshes.push_back(level_path(a.output, level));
-  check_output_path(report, meshes);
+    paths.push_back(level_path(a.output, level).string());
+  return paths;
 }
 
 void check_paths(const DecimateArguments& a) {
@@ -56,49 +55,35 @@ void check_paths(const DecimateArguments& a) {
       throw InputError(path.string() +
                        ": a level would replace the input; choose another name for the output");
   }
-  if ((a.measure || !a.html.empty()) && same_file(a.input, a.output))
+  if ((a.measure || !a.report.html.empty()) && same_file(a.input, a.output))
     throw InputError(a.output +
                      ": would replace the input, with which it is to be compared; choose another name");
-  if (!a.report.empty()) check_report_path(a.report, a);
-  if (a.html.empty()) return;
-  require_html_report();
-  check_report_path(a.html, a);
-  if (a.html == a.report)
-    throw InputError(a.html + ": both reports would have this name; choose another one");
-}
-
-void add_new(std::vector<std::string>& warnings, const std::vector<std::string>& more) {
-  for (const std::string& w : more)
-    if (std::ranges::find(warnings, w) == warnings.end()) warnings.push_back(w);
 }
 
 /// Of the whole run, for the reports.
 class Run {
  public:
-  explicit Run(const DecimateArguments& a)
+  Run(const DecimateArguments& a, RunReport& report)
       : a_(a),
+        report_(report),
         file_(files::read_surface(a.input, {a.weld, a.follow_paths})),
         options_(decimate_options(a, file_.input.triangles.size())) {}
 
   void decimate();
   void check_texture();
-  void write_reports();
-  void print() const;
+  void finish();
 
  private:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-  bool wants_comparison() const { return a_.measure || !a_.html.empty(); }
+  bool wants_comparison() const { return report_.wanted() && (a_.measure || report_.wants_page()); }
   bool wants_texture_check() const {
-    return (!a_.quiet || wants_report()) && may_have_lost_texture(options_, result_);
+    return (!a_.quiet || report_.wanted()) && may_have_lost_texture(options_, result_);
   }
-  bool wants_report() const { return !a_.report.empty() || !a_.html.empty(); }
   void write_level(const TexturedSurface& surface, std::size_t level);
+  void fill_report();
   void measure(Json& j);
 
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const DecimateArguments& a_;
+  RunReport& report_;
   files::SurfaceFile file_;
   DecimateOptions options_;
   SurfaceTopology topology_;  ///< before
@@ -119,7 +104,7 @@ void Run::write_level(const TexturedSurface& surface, std::size_t level) {
 void Run::decimate() {
   TexturedSurface surface = files::take_surface(file_, surface_options(a_));
   topology_ = topology_of(surface);
-  if (wants_report()) before_ = to_json(surface);
+  if (report_.wanted()) before_ = to_json(surface);
   const bool show = !a_.quiet && isatty(STDERR_FILENO);
   if (show)
     options_.progress = [](std::size_t faces) { std::cerr << "\r" << faces << " faces   " << std::flush; };
@@ -127,9 +112,9 @@ void Run::decimate() {
   result_ = multimesh::decimate(surface, options_);
   if (show) std::cerr << "\r";
   add(write_if_same_mesh(a_.output, topology_, surface, file_), file_.warnings);
-  if (wants_report()) after_ = to_json(surface);
+  if (report_.wanted()) after_ = to_json(surface);
   if (wants_comparison() || wants_texture_check()) left_ = surface.triangles(source_);
-  seconds_ = seconds();
+  seconds_ = report_.seconds();
 }
 
 /// Says if the texture was lost, and when.
@@ -147,48 +132,49 @@ void Run::check_texture() {
 void Run::measure(Json& j) {
   const files::SurfaceFile input = files::read_surface(a_.input, {a_.weld, a_.follow_paths});
   SurfaceComparison comparison =
-      compare_surfaces(input.input, left_, {.topology = false, .per_vertex = !a_.html.empty()});
+      compare_surfaces(input.input, left_, {.topology = false, .per_vertex = report_.wants_page()});
   const Json measured = to_json(comparison);
   j["measured"] = {{"distance", measured["distance"]}, {"texture", measured["texture"]}};
-  if (a_.html.empty()) return;
+  if (!report_.wants_page()) return;
   HtmlMesh after = html_mesh(std::move(left_), source_, input);
   after.caption = fs::path(a_.output).filename().string();
   Json numbers = j;
   numbers.erase("measured");
-  add_new(file_.warnings, write_comparison_page(
-                              a_.html, fs::path(a_.input).filename().string() + ", decimated",
-                              html_mesh(input), std::move(after), std::move(comparison), std::move(numbers)));
+  report_.show(comparison_page(fs::path(a_.input).filename().string() + ", decimated", html_mesh(input),
+                               std::move(after), std::move(comparison), std::move(numbers)));
 }
 
-void Run::write_reports() {
-  if (!wants_report()) return;
-  Json j = decimation_json(a_, options_, result_);
+void Run::fill_report() {
+  Json& j = report_.json();
+  j = decimation_json(a_, options_, result_);
+  j["outputs"] = {a_.output};
+  for (const Json& level : levels_) j["outputs"].push_back(level["output"]);
   if (!levels_.empty()) j["levels"] = levels_;
   j["before"] = before_;
   j["after"] = after_;
   j["seconds"] = seconds_;
   j["options"].update(to_json(a_.weld));
   j["welded"] = to_json(file_.weld);
-  j["warnings"] = file_.warnings;
   if (!texture_loss_.is_null()) j["texture_loss"] = texture_loss_;
   if (wants_comparison()) measure(j);
-  j["warnings"] = file_.warnings;
-  if (a_.report.empty()) return;
-  io::AtomicFile file(a_.report);
-  file.write(to_text(j));
-  file.commit();
 }
 
-void Run::print() const {
+/// Why a target was missed, in a sentence.
+std::string missed(const DecimateOptions& options, const DecimateResult& result) {
+  std::string text = "the target of " + std::to_string(options.faces) +
+                     " faces cannot be reached. Edges left, by what keeps them:";
+  for (const auto& [reason, count] : result.blocking)
+    text += ' ' + reason + ' ' + std::to_string(count) + ';';
+  return text;
+}
+
+void Run::finish() {
+  if (!target_reached(options_, result_)) file_.warnings.push_back(missed(options_, result_));
+  if (report_.wanted()) fill_report();
+  report_.finish(file_.warnings, a_.quiet);
   if (a_.quiet) return;
-  for (const auto& w : file_.warnings) std::cerr << "warning: " << w << '\n';
   std::cerr << result_.faces_before << " faces -> " << result_.faces_after << " in " << seconds_
             << " s; stopped by: " << to_string(result_.stop) << '\n';
-  if (target_reached(options_, result_)) return;
-  std::cerr << "warning: the target of " << options_.faces
-            << " faces cannot be reached. Edges left, by what keeps them:";
-  for (const auto& [reason, count] : result_.blocking) std::cerr << ' ' << reason << ' ' << count << ';';
-  std::cerr << '\n';
 }
 
 }  // namespace
@@ -207,13 +193,13 @@ void add_decimate_command(CLI::App& app, int& exit_code) {
       "anew where there were some. If topology does not allow the target, the file is written as small as it "
       "allows,\n"
       "a warning says what stands in the way, and the report counts it.");
-  command->callback([a, &exit_code] {
+  command->callback([a, command, &exit_code] {
     check_paths(*a);
-    Run run(*a);
+    RunReport report(*command, a->report, {a->input}, outputs(*a));
+    Run run(*a, report);
     run.decimate();
     run.check_texture();
-    run.write_reports();
-    run.print();
+    run.finish();
     exit_code = done;
   });
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/files/domain_file.hpp"
 #include "adapters/files/materials.hpp"
 #include "adapters/files/surface_file.hpp"
 
@@ -25,5 +26,8 @@ HtmlMesh html_mesh(const files::SurfaceFile& file);
 /// from, as TexturedSurface::triangles gives it. The caption is the caller's to set.
 HtmlMesh html_mesh(TexturedTriangles surface, const std::vector<Index>& source,
                    const files::SurfaceFile& file);
+
+/// The surface of tetrahedra, with a material for each patch. The caption is the caller's to set.
+HtmlMesh html_mesh(const TetDomain& domain);
 
 }  // namespace multimesh::tools

@@ -52,6 +52,10 @@ struct Contents {
   bool before, after;
 };
 
+bool has_before(const HtmlReport& report) {
+  return !report.before.surface.triangles.empty();
+}
+
 Contents contents(const HtmlReport& report, Json& notes) {
   const std::size_t after = report.after.surface.triangles.size();
   const std::size_t both = report.before.surface.triangles.size() + after;
@@ -64,7 +68,7 @@ Contents contents(const HtmlReport& report, Json& notes) {
   if (both > max_html_triangles)
     notes.push_back("The mesh before is left out, for " + limit + ", and both have " + std::to_string(both) +
                     ".");
-  return {both <= max_html_triangles, true};
+  return {has_before(report) && both <= max_html_triangles, true};
 }
 
 Json describe(const HtmlMesh& mesh, bool included, HtmlTextures& textures) {
@@ -90,8 +94,8 @@ Json write_page(io::AtomicFile& file, const HtmlReport& report, const ViewerBund
   Json notes = Json::array();
   const Contents shown = contents(report, notes);
   HtmlTextures textures(max_html_texture_bytes);
-  Json meshes = {{"before", describe(report.before, shown.before, textures)},
-                 {"after", describe(report.after, shown.after, textures)}};
+  Json before = has_before(report) ? describe(report.before, shown.before, textures) : Json();
+  Json meshes = {{"before", std::move(before)}, {"after", describe(report.after, shown.after, textures)}};
   std::vector<std::string> more = textures.notes();
   for (const HtmlMesh* mesh : {&report.before, &report.after})
     for (const std::string& note : mesh->notes)

@@ -24,10 +24,11 @@ struct HtmlError {
   std::vector<double> values;
 };
 
-/// Two meshes side by side, and numbers.
+/// Two meshes side by side, or one, and numbers.
 struct HtmlReport {
   std::string title;
-  HtmlMesh before, after;
+  HtmlMesh before = {};  ///< without triangles: there is only one mesh
+  HtmlMesh after = {};
   std::vector<HtmlError> errors = {};
   /// Shown as tables. Known fields: `before` and `after`, as to_json makes them of a surface; `comparison`;
   /// `seconds`, `stopped_by`, `warnings`. All others are shown by their names.

@@ -10,11 +10,12 @@
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #ifdef MULTIMESH_WITH_IMPROVE
-#include "adapters/io/atomic_file.hpp"
+#include "adapters/files/formats.hpp"
 #include "adapters/io/naming.hpp"
 #include "multimesh/algorithms/improve.hpp"
 #include "tools/domain_arguments.hpp"
 #include "tools/joined_check.hpp"
+#include "tools/mesh_page.hpp"
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/quality_json.hpp"
@@ -28,7 +29,8 @@ namespace multimesh::tools {
 namespace {
 
 struct ImproveArguments {
-  std::string input, output, json, splits = "rounded";
+  std::string input, output, splits = "rounded";
+  ReportOptions report;
   std::vector<std::string> locked_patches;
   double feature_angle = 0;
   ImproveOptions options;
@@ -152,10 +154,9 @@ void show_progress(ImproveArguments& a) {
   };
 }
 
-void run(ImproveArguments a) {
+void run(ImproveArguments a, RunReport& report) {
   show_progress(a);
   check_output_path(a.output, {a.input});
-  if (!a.json.empty()) check_output_path(a.json, {a.input, a.output});
   files::DomainFile file = files::read_domain(a.input, a.taken);
   a.options.locked_regions = files::tags_of_groups(file, 3, a.options.locked_regions, "--lock-region");
   TetDomainOptions options;
@@ -165,20 +166,16 @@ void run(ImproveArguments a) {
   a.options.locked_patches = files::tags_of_patches(file, a.locked_patches, "--lock-patch");
   TetDomain domain = files::take_domain(file, options);
   const TetTopology before = topology_of(domain.tagged());
+  HtmlMesh page;
+  if (report.wants_page()) page = html_mesh(domain);
   const ImproveResult r = io::naming(a.input, [&] { return improve(domain, a.options); });
   const files::DomainWriteOptions how{a.format.options(), {false, a.feature_angle > 0, false}};
   add(write_if_same_mesh(a.output, before, DomainResult(domain), file.groups(), how), file.warnings);
   for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
-  if (!a.json.empty()) {
-    Json j = to_json(a, r);
-    j["warnings"] = file.warnings;
-    io::AtomicFile out(a.json);
-    out.write(to_text(j));
-    out.commit();
-  }
-  print(a, r);
-  for (const std::string& w : file.warnings) std::cerr << "warning: " << w << '\n';
-  if (!std::cout.flush()) throw InputError("standard output: writing failed");
+  report.json() = to_json(a, r);
+  if (report.wants_page()) show_domains(report, std::move(page), domain, a.input, a.output);
+  if (!report.is_printed()) print(a, r);
+  report.finish(file.warnings);
 }
 
 }  // namespace
@@ -187,22 +184,23 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand(
       "improve", "Makes the tetrahedra of a mesh better shaped; surfaces and curves stay.");
   auto a = std::make_shared<ImproveArguments>();
-  command->add_option("IN", a->input, "tetrahedra: MSH, MEDIT, VTU, VTK, .node/.ele; also gzipped")
-      ->required();
-  command->add_option("-o,--output", a->output, "MSH, MEDIT (.mesh) or VTU file")->required();
+  command->add_option("IN", a->input, std::string("tetrahedra: ") + files::simplex_formats)->required();
+  command->add_option("-o,--output", a->output, files::written_simplex_formats)->required();
   command
       ->add_option(
           "--target-amips", a->options.target_amips,
           "worst energy to reach: 3 is the regular tetrahedron, 10 has dihedral angles above 6.6 degrees")
       ->check(CLI::Range(3.0, 1e9))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group("Targets");
   command->add_option("--max-passes", a->options.max_passes, "over the tetrahedra above the target")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command
       ->add_option("--edge-length", a->options.edge_length,
                    "edges above 4/3 of this are split, below 4/5 collapsed where the surface allows it")
-      ->check(positive_number());
+      ->check(positive_number())
+      ->group("Targets");
   command->add_option("--min-edge-length", a->options.min_edge_length, "no edge is split into shorter ones")
       ->check(positive_number());
   command
@@ -233,9 +231,10 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   add_weld_options(*command, a->taken);
   add_periodic_option(*command, a->taken.no_periodic);
   add_format_options(*command, a->format);
-  command->add_option("--json", a->json, "write a report");
+  add_report_options(*command, a->report, "with the surfaces in 3D, before and after, and the numbers");
+  add_old_json_file(*command, a->report);
   command->footer(
-      "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --json report.json\n\n"
+      "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --report report.json\n\n"
       "The boundary, faces between regions and listed triangles and edges stay what they are. If the target\n"
       "cannot be reached, the result is written all the same, warnings say why, and the exit status is 0.\n"
       "Elements keep their tags, groups and MEDIT's flags; what the input does not list is not added, but "
@@ -243,8 +242,9 @@ void add_improve_command(CLI::App& app, int& exit_code) {
       "curves with --feature-angle. The result is compared with the input before it is written: if it is "
       "not\n"
       "the same mesh when its parts are joined, it is kept aside and the exit status is 1.");
-  command->callback([a, &exit_code] {
-    run(*a);
+  command->callback([a, command, &exit_code] {
+    RunReport report(*command, a->report, {a->input}, {a->output});
+    run(*a, report);
     exit_code = done;
   });
 }

@@ -8,6 +8,7 @@
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #include "tools/domain_json.hpp"
+#include "tools/mesh_page.hpp"
 #include "tools/surface_json.hpp"
 #include "tools/weld_arguments.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 struct InfoArguments {
   std::string input;
   io::SurfaceWeldOptions weld;
-  bool json = false;
+  ReportOptions report;
 };
 
 Json contents_json(const files::SurfaceFile& file) {
@@ -54,7 +55,6 @@ Json describe(const files::SurfaceFile& file, const TexturedSurface& surface) {
   j["welded"] = to_json(file.weld);
   j["triangles_without_texcoords"] = surface.cut_report().triangles_without_texcoords;
   j["meshes"] = to_json(surface);
-  j["warnings"] = file.warnings;
   return j;
 }
 
@@ -105,7 +105,6 @@ void print(const Json& j) {
       std::cout << "  " << name << ": " << (std::string_view(name) == "seams" ? "  " : "") << s["edges"]
                 << " edges in " << s["curves"] << " curves, " << s["ends"] << " ends, " << s["junctions"]
                 << " junctions\n";
-  for (const auto& warning : j["warnings"]) std::cerr << "warning: " << warning.get<std::string>() << '\n';
 }
 
 Json describe_curves(const io::PolygonSoup& soup, const std::string& path) {
@@ -120,8 +119,7 @@ Json describe_curves(const io::PolygonSoup& soup, const std::string& path) {
           {"curves", r.curves.curves},
           {"ends", r.curves.ends},
           {"junctions", r.curves.junctions}}}}},
-      {"edges_from_a_vertex_to_itself", r.collapsed},
-      {"warnings", soup.warnings}};
+      {"edges_from_a_vertex_to_itself", r.collapsed}};
 }
 
 void print_curves(const Json& j) {
@@ -130,10 +128,9 @@ void print_curves(const Json& j) {
             << j["contents"]["polylines"] << " polylines, no faces\n  curves:  " << c["vertices"]
             << " vertices, " << c["edges"] << " edges in " << c["curves"] << " curves, " << c["ends"]
             << " ends, " << c["junctions"] << " junctions\n";
-  for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
 }
 
-Json describe(files::DomainFile& file) {
+Json contents_json(const files::DomainFile& file) {
   Json j;
   j["file"] = file.path.string();
   Json groups = Json::array();
@@ -146,8 +143,6 @@ Json describe(files::DomainFile& file) {
   for (const auto& set : file.soup.tag_sets)
     j["contents"]["tags_of_several_groups"].push_back(
         {{"dimension", set.dimension}, {"tag", set.tag}, {"groups", set.groups}});
-  j["meshes"] = to_json(report(files::take_domain(file)));
-  j["warnings"] = file.warnings;
   return j;
 }
 
@@ -162,7 +157,39 @@ void print_domain_file(const Json& j) {
       std::cout << "              tag " << set["tag"] << " of dimension " << set["dimension"]
                 << " stands for the groups " << set["groups"].dump() << '\n';
   print_domain(j["meshes"]);
-  for (const auto& w : j["warnings"]) std::cerr << "warning: " << w.get<std::string>() << '\n';
+}
+
+void finish(const std::vector<std::string>& warnings, void (*in_lines)(const Json&), RunReport& report) {
+  if (!report.is_printed()) in_lines(report.json());
+  report.finish(warnings);
+}
+
+void run_on_polygons(const InfoArguments& a, io::PolygonSoup soup, RunReport& report) {
+  if (soup.face_count() == 0) {
+    report.json() = describe_curves(soup, a.input);
+    return finish(soup.warnings, print_curves, report);
+  }
+  const files::SurfaceFile file = files::to_surface(std::move(soup), a.input, {.weld = a.weld});
+  report.json() = describe(file, TexturedSurface(file.input));
+  if (report.wants_page()) show_mesh(report, html_mesh(file), a.input);
+  finish(file.warnings, print, report);
+}
+
+void run_on_tetrahedra(const InfoArguments& a, files::DomainFile file, RunReport& report) {
+  Json& j = report.json();
+  j = contents_json(file);
+  const TetDomain domain = files::take_domain(file);
+  j["meshes"] = to_json(multimesh::report(domain));
+  if (report.wants_page()) show_mesh(report, html_mesh(domain), a.input);
+  finish(file.warnings, print_domain_file, report);
+}
+
+void run(const InfoArguments& a, RunReport& report) {
+  if (files::is_surface_format(a.input))
+    return run_on_polygons(a, files::read_polygons(a.input, true), report);
+  files::DomainFile file = files::read_simplices(a.input);
+  if (file.has_tetrahedra()) return run_on_tetrahedra(a, std::move(file), report);
+  run_on_polygons(a, files::polygons_of(file), report);
 }
 
 }  // namespace
@@ -170,10 +197,10 @@ void print_domain_file(const Json& j) {
 void add_info_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("info", "What is in a file, mesh by mesh.");
   auto arguments = std::make_shared<InfoArguments>();
-  command->add_option("FILE", arguments->input, "OBJ, PLY, STL, OFF; MSH, MEDIT, VTU, VTP, VTK; also gzipped")
-      ->required();
+  command->add_option("FILE", arguments->input, files::all_formats)->required();
   add_weld_options(*command, arguments->weld);
-  command->add_flag("--json", arguments->json, "print JSON");
+  add_report_options(*command, arguments->report, "with the mesh in 3D and the numbers");
+  add_old_json_flag(*command, arguments->report);
   command->footer(
       "A textured file is two meshes: the surface, by positions, and the texture, by texture coordinates. "
       "They\n"
@@ -185,24 +212,9 @@ void add_info_command(CLI::App& app, int& exit_code) {
       "are listed. Input that is not manifold is cut, and the numbers of the meshes are those of the cut "
       "ones; \n"
       "those of the surface as given stand before them.");
-  command->callback([arguments, &exit_code] {
-    const auto tell = [&](const Json& j, void (*in_lines)(const Json&)) {
-      arguments->json ? void(std::cout << to_text(j)) : in_lines(j);
-    };
-    const std::string& path = arguments->input;
-    const auto tell_polygons = [&](io::PolygonSoup soup) {
-      if (soup.face_count() == 0) return tell(describe_curves(soup, path), print_curves);
-      const files::SurfaceFile file = files::to_surface(std::move(soup), path, {.weld = arguments->weld});
-      tell(describe(file, TexturedSurface(file.input)), print);
-    };
-    if (files::is_surface_format(path)) {
-      tell_polygons(files::read_polygons(path, true));
-    } else if (files::DomainFile file = files::read_simplices(path); file.has_tetrahedra()) {
-      tell(describe(file), print_domain_file);
-    } else {
-      tell_polygons(files::polygons_of(file));
-    }
-    if (!std::cout.flush()) throw InputError("standard output: writing failed");
+  command->callback([arguments, command, &exit_code] {
+    RunReport report(*command, arguments->report, {arguments->input});
+    run(*arguments, report);
     exit_code = done;
   });
 }

@@ -10,6 +10,7 @@
 #include "multimesh/error.hpp"
 #include "multimesh/version.hpp"
 #include "tools/command.hpp"
+#include "tools/help_format.hpp"
 
 namespace {
 
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
       "Meshes that stay in step: textured surfaces with their seams, tetrahedra with surfaces and curves "
       "inside."};
   app.name("multimesh");
+  app.formatter(std::make_shared<tools::HelpFormat>());
   app.set_version_flag("--version", std::string("multimesh ") + version);
   app.require_subcommand(1);
   app.footer(

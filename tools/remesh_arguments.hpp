@@ -7,12 +7,13 @@
 #include "adapters/io/weld_surface.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "tools/domain_arguments.hpp"
-#include "tools/surface_json.hpp"
+#include "tools/run_report.hpp"
 
 namespace multimesh::tools {
 
 struct RemeshArguments {
-  std::string input, output, report;
+  std::string input, output;
+  ReportOptions report;
   double length = 0, relative_length = 0;  ///< 0: not given
   double feature_angle = 0;                ///< degrees; 0: not given
   bool preserve_materials = true, quiet = false, follow_paths = false;
@@ -20,7 +21,7 @@ struct RemeshArguments {
   io::SurfaceWeldOptions weld;
 
   // Of tetrahedra.
-  bool weld_given = false, uv_weld_given = false;
+  bool weld_given = false, uv_weld_given = false, target_given = false;
   double target_amips = 10;
   std::vector<std::string> locked_patches;
   std::vector<TetDomain::Tag> locked_regions;

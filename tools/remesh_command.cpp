@@ -6,12 +6,13 @@
 #include <numbers>
 #include <sstream>
 
+#include "adapters/files/formats.hpp"
 #include "adapters/files/surface_file.hpp"
-#include "adapters/io/atomic_file.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/geometry/bounding_box.hpp"
 #include "multimesh/version.hpp"
 #include "tools/command.hpp"
+#include "tools/comparison_page.hpp"
 #include "tools/follow_paths.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/number_check.hpp"
@@ -31,16 +32,14 @@ void add_options(CLI::App& command, RemeshArguments& a) {
   const auto length =
       number([](double l) { return l > 0 && std::isfinite(l); }, "above 0, for instance 0.02", "L");
   add_surface_paths(command, a.input, a.output);
-  command.get_option("IN")->description(
-      "surface to read: OBJ, PLY, OFF, STL; surface or tetrahedra: MSH, MEDIT, VTK, VTU, VTP, .node/.ele; "
-      "also "
-      "gzipped");
   command.get_option("--output")
-      ->description(
-          "file to write: OBJ; or PLY, OFF, STL, which have room for less; tetrahedra: MSH, MEDIT, VTU");
-  auto* target = command.add_option_group("Length", "of the edges that are wanted");
-  target->add_option("--length", a.length, "in the units of the file")->check(length);
-  target->add_option("--relative-length", a.relative_length, "relative to the diagonal of the bounding box")
+      ->description(std::string(files::written_surface_formats) +
+                    "; tetrahedra: " + files::written_simplex_formats);
+  auto* target = command.add_option_group("Targets", "one; of the edges that are wanted");
+  target->add_option("--length", a.length, "their length, in the units of the file")->check(length);
+  target
+      ->add_option("--relative-length", a.relative_length,
+                   "the same, relative to the diagonal of the bounding box")
       ->check(length);
   target->require_option(1);
   command.add_option("--max-faces", a.options.max_faces, "refuse a length that makes more faces than this")
@@ -59,7 +58,7 @@ void add_options(CLI::App& command, RemeshArguments& a) {
                    "keep borders between materials as curves (default: yes)");
   add_follow_paths(command, a.follow_paths);
   add_weld_options(command, a.weld);
-  command.add_option("--report", a.report, "write what was done as JSON");
+  add_report_options(command, a.report, "with both surfaces in 3D and the errors measured");
   command.add_flag("--quiet", a.quiet, "print errors only");
 #ifdef MULTIMESH_WITH_IMPROVE
   add_tetrahedra_options(command, a);
@@ -68,7 +67,10 @@ void add_options(CLI::App& command, RemeshArguments& a) {
 
 void check_paths(const RemeshArguments& a) {
   check_surface_output(a.output);
-  if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
+  if (!a.report.html.empty() &&
+      std::filesystem::weakly_canonical(a.input) == std::filesystem::weakly_canonical(a.output))
+    throw InputError(a.output +
+                     ": would replace the input, with which it is to be compared; choose another name");
 }
 
 void check_faces(const RemeshArguments& a, const TexturedSurface& surface) {
@@ -122,9 +124,22 @@ void warn_of_lengths(const RemeshArguments& a, const RemeshResult& r, std::vecto
 
 namespace {
 
-void run(RemeshArguments& a) {
+/// Against the input, which is read again.
+void show(const RemeshArguments& a, const TexturedSurface& surface, RunReport& report) {
+  const files::SurfaceFile input = files::read_surface(a.input, {a.weld, a.follow_paths});
+  std::vector<Index> source;
+  TexturedTriangles remeshed = surface.triangles(source);
+  SurfaceComparison comparison =
+      compare_surfaces(input.input, remeshed, {.topology = false, .per_vertex = true});
+  HtmlMesh after = html_mesh(std::move(remeshed), source, input);
+  after.caption = std::filesystem::path(a.output).filename().string();
+  report.show(comparison_page(std::filesystem::path(a.input).filename().string() + ", remeshed",
+                              html_mesh(input), std::move(after), std::move(comparison), report.json()));
+}
+
+void run(RemeshArguments& a, RunReport& report) {
 #ifdef MULTIMESH_WITH_IMPROVE
-  if (remesh_if_tetrahedra(a)) return;
+  if (remesh_if_tetrahedra(a, report)) return;
 #endif
   check_paths(a);
   files::SurfaceFile file = files::read_surface(a.input, {a.weld, a.follow_paths});
@@ -137,24 +152,21 @@ void run(RemeshArguments& a) {
   TexturedSurface surface = files::take_surface(file, curves);
   check_faces(a, surface);
   Json before;
-  if (!a.report.empty()) before = tools::to_json(surface);
+  if (report.wanted()) before = tools::to_json(surface);
   const SurfaceTopology topology = topology_of(surface);
   const RemeshResult result = remesh(surface, a.options);
   warn_of_lengths(a, result, file.warnings);
   add(write_if_same_mesh(a.output, topology, surface, file), file.warnings);
-  if (!a.report.empty()) {
-    Json j = to_json(a, result);
-    j["before"] = before;
-    j["after"] = tools::to_json(surface);
-    j["options"].update(tools::to_json(a.weld));
-    j["welded"] = tools::to_json(file.weld);
-    j["warnings"] = file.warnings;
-    io::AtomicFile report(a.report);
-    report.write(to_text(j));
-    report.commit();
+  if (report.wanted()) {
+    report.json() = to_json(a, result);
+    report.json()["before"] = before;
+    report.json()["after"] = tools::to_json(surface);
+    report.json()["options"].update(tools::to_json(a.weld));
+    report.json()["welded"] = tools::to_json(file.weld);
   }
+  if (report.wants_page()) show(a, surface, report);
+  report.finish(file.warnings, a.quiet);
   if (a.quiet) return;
-  for (const auto& w : file.warnings) std::cerr << "warning: " << w << '\n';
   std::cerr << topology.faces << " faces -> " << surface.live_triangles() << " in " << result.seconds
             << " s; " << percent_in_range(result) << " % of the edges are within 4/5 and 4/3 of "
             << a.options.length << '\n';
@@ -163,8 +175,8 @@ void run(RemeshArguments& a) {
 }  // namespace
 
 void add_remesh_command(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("remesh", "Make all edges about as long; texture seams and curves stay lines.");
+  auto* command = app.add_subcommand(
+      "remesh", "Give all edges about the same length; texture seams and curves stay lines.");
   auto a = std::make_shared<RemeshArguments>();
   add_options(*command, *a);
   command->footer(
@@ -182,7 +194,11 @@ void add_remesh_command(CLI::App& app, int& exit_code) {
   command->callback([a, command, &exit_code] {
     a->weld_given = command->count("--weld") > 0;
     a->uv_weld_given = command->count("--uv-weld") > 0;
-    run(*a);
+#ifdef MULTIMESH_WITH_IMPROVE
+    a->target_given = command->count("--target-amips") > 0;
+#endif
+    RunReport report(*command, a->report, {a->input}, {a->output});
+    run(*a, report);
     exit_code = done;
   });
 }

@@ -9,12 +9,12 @@
 #include <sstream>
 
 #include "adapters/files/formats.hpp"
-#include "adapters/io/atomic_file.hpp"
 #include "adapters/io/naming.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/algorithms/remesh_domain.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/joined_check.hpp"
+#include "tools/mesh_page.hpp"
 #include "tools/output_check.hpp"
 #include "tools/quality_json.hpp"
 #include "tools/warnings.hpp"
@@ -41,6 +41,7 @@ void refuse_options(const RemeshArguments& a, bool tetrahedra) {
     refuse(a.follow_paths, "--follow-paths");
     refuse(a.uv_weld_given, "--uv-weld");
   } else {
+    refuse(a.target_given, "--target-amips");
     refuse(!a.locked_patches.empty(), "--lock-patch");
     refuse(!a.locked_regions.empty(), "--lock-region");
     refuse(a.no_periodic, "--no-periodic");
@@ -98,17 +99,18 @@ void warn_of_contact(const TaggedTetrahedra& lists, std::vector<std::string>& wa
                        "of it apart");
 }
 
-void run(RemeshArguments& a, files::DomainFile& file) {
+void run(RemeshArguments& a, files::DomainFile& file, RunReport& report) {
   check_output_path(a.output, {a.input});
-  if (!a.report.empty()) check_output_path(a.report, {a.input, a.output});
   TetDomainOptions curves;
   if (a.feature_angle > 0) curves.feature_angle = a.feature_angle * std::numbers::pi / 180;
   TetDomain domain = files::take_domain(file, curves);
   a.options.length = a.length > 0 ? a.length : a.relative_length * diagonal(domain);
-  const DomainReport before = report(domain);
+  const DomainReport before = multimesh::report(domain);
+  HtmlMesh page;
+  if (report.wants_page()) page = html_mesh(domain);
   const DomainRemeshResult result = io::naming(a.input, [&] { return remesh(domain, options_of(a, file)); });
   DomainResult output(domain);
-  const DomainReport after = report(domain, output.topology);
+  const DomainReport after = multimesh::report(domain, output.topology);
   warn_of_lengths(a, result.surface, file.warnings);
   warn_of_tetrahedra(result.tetrahedra, a.target_amips, file.warnings);
   warn_of_volumes(before.tets, after.tets, file.warnings);
@@ -116,18 +118,13 @@ void run(RemeshArguments& a, files::DomainFile& file) {
   const files::DomainWriteOptions how{a.format.options(), {false, a.feature_angle > 0, false}};
   add(write_if_same_mesh(a.output, before.tets, std::move(output), file.groups(), how, a.options.length),
       file.warnings);
-  if (!a.report.empty()) {
-    Json j = to_json(a, result.surface);
-    j["before"] = to_json(before);
-    j["after"] = to_json(after);
-    j["tetrahedra"] = to_json(result.tetrahedra.after);
-    j["warnings"] = file.warnings;
-    io::AtomicFile out(a.report);
-    out.write(to_text(j));
-    out.commit();
-  }
+  report.json() = to_json(a, result.surface);
+  report.json()["before"] = to_json(before);
+  report.json()["after"] = to_json(after);
+  report.json()["tetrahedra"] = to_json(result.tetrahedra.after);
+  if (report.wants_page()) show_domains(report, std::move(page), domain, a.input, a.output);
+  report.finish(file.warnings, a.quiet);
   if (a.quiet) return;
-  for (const auto& w : file.warnings) std::cerr << "warning: " << w << '\n';
   std::cerr << before.surface->faces << " faces of the surface -> " << after.surface->faces << ", "
             << before.tets.tets << " tetrahedra -> " << after.tets.tets << "; "
             << percent_in_range(result.surface) << " % of the edges are within 4/5 and 4/3 of "
@@ -151,7 +148,7 @@ void add_tetrahedra_options(CLI::App& command, RemeshArguments& a) {
   add_format_options(command, a.format, group);
 }
 
-bool remesh_if_tetrahedra(RemeshArguments& a) {
+bool remesh_if_tetrahedra(RemeshArguments& a, RunReport& report) {
   if (files::is_surface_format(a.input)) {
     refuse_options(a, false);
     return false;
@@ -162,7 +159,7 @@ bool remesh_if_tetrahedra(RemeshArguments& a) {
   prepare(file, {.weld = a.weld_given ? std::optional(a.weld.tolerance) : std::nullopt,
                  .no_weld = !a.weld.positions,
                  .no_periodic = a.no_periodic});
-  run(a, file);
+  run(a, file, report);
   return true;
 }
 

@@ -4,15 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "adapters/files/formats.hpp"
+
 namespace multimesh::tools {
 
 /// IN and -o of the commands that read a surface and write one.
 inline void add_surface_paths(CLI::App& command, std::string& input, std::string& output) {
-  command
-      .add_option("IN", input, "surface to read: OBJ, PLY, OFF, STL; MSH, MEDIT, VTK, VTU, VTP; also gzipped")
-      ->required();
-  command.add_option("-o,--output", output, "file to write: OBJ; or PLY, OFF, STL, which have room for less")
-      ->required();
+  command.add_option("IN", input, files::all_formats)->required();
+  command.add_option("-o,--output", output, files::written_surface_formats)->required();
 }
 
 }  // namespace multimesh::tools

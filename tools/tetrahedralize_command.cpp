@@ -4,12 +4,14 @@
 #include <memory>
 #include <numbers>
 
+#include "adapters/files/formats.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/geometry/bounding_box.hpp"
 #include "tools/command.hpp"
 #include "tools/domain_arguments.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/joined_check.hpp"
+#include "tools/mesh_page.hpp"
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
 #include "tools/warnings.hpp"
@@ -29,13 +31,14 @@ namespace {
 
 struct TetrahedralizeArguments {
   std::string input, output;
+  ReportOptions report;
   double feature_angle = 0, max_volume = 0, length = 0, relative_length = 0, ratio = 0, dihedral = 0;
   double minutes = 10, weld = 0;
   std::string keep = "winding";
   std::vector<std::string> regions, holes;
   files::DomainReadOptions taken;
   SimplexFormat format;
-  bool split_surface = false, lock_surface = false, json = false;
+  bool split_surface = false, lock_surface = false;
 };
 
 constexpr const char* keep_names[] = {"winding", "even-odd", "all"};
@@ -84,13 +87,22 @@ std::vector<std::string> missed(const TaggedTetrahedra& t, const tetgen::Tetrahe
   return tetgen::missed_bounds({t.points, t.tets}, t.triangles, options);
 }
 
-void run(TetrahedralizeArguments& a) {
+/// The input's triangles, as they are filled.
+HtmlMesh page_of(const files::DomainFile& file) {
+  HtmlMesh page;
+  page.surface = files::triangles_of(file);
+  return page;
+}
+
+void run(TetrahedralizeArguments& a, RunReport& report) {
   check_output_path(a.output, {a.input});
   const bool splits = a.split_surface || (!a.lock_surface && (a.length > 0 || a.relative_length > 0));
   a.taken.sides_stay = !splits;
   files::DomainFile file = files::read_domain(a.input, a.taken);
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
+  HtmlMesh page;
+  if (report.wants_page()) page = page_of(file);
   const tetgen::TetrahedralizeOptions sizes = tetgen_options(a, file);
   const FilledSurface filled = fill_surface(file, sizes, a.weld);
   TetDomain domain(filled.tets, options);
@@ -98,19 +110,18 @@ void run(TetrahedralizeArguments& a) {
   DomainResult output(domain);
   add(missed(output.lists, sizes), file.warnings);
   add(files::warnings_of(domain.report()), file.warnings);
-  Json j = to_json(report(domain, output.topology));
+  Json& j = report.json();
+  j = to_json(multimesh::report(domain, output.topology));
   add(write_if_same_mesh(a.output, topology_of(filled.tets), std::move(output), filled.groups,
                          {a.format.options(), {true, true, true}}),
       file.warnings);
   add_names(filled.groups.groups, j);
-  if (a.json) {
-    j["warnings"] = file.warnings;
-    std::cout << to_text(j);
-  } else {
+  if (report.wants_page()) show_domains(report, std::move(page), domain, a.input, a.output);
+  if (!report.is_printed()) {
     std::cout << a.output << '\n';
     print_domain(j);
-    for (const std::string& w : file.warnings) std::cerr << "warning: " << w << '\n';
   }
+  report.finish(file.warnings);
 }
 
 }  // namespace
@@ -148,8 +159,8 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("tetrahedralize", "Fills what a surface encloses with tetrahedra, by TetGen.");
   auto a = std::make_shared<TetrahedralizeArguments>();
-  command->add_option("IN", a->input, "surface: OBJ, STL, OFF, PLY, MSH, MEDIT, VTU")->required();
-  command->add_option("-o,--output", a->output, "MSH, MEDIT (.mesh) or VTU file")->required();
+  command->add_option("IN", a->input, std::string("surface: ") + files::all_formats)->required();
+  command->add_option("-o,--output", a->output, files::written_simplex_formats)->required();
   command
       ->add_option("--feature-angle", a->feature_angle,
                    "edges at which the surface turns by at least this become curves; degrees in (0, 180)")
@@ -157,20 +168,25 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
   auto* length = command
                      ->add_option("--edge-length", a->length,
                                   "longest edge, on the surface, too, unless that is locked; a length")
-                     ->check(positive_number());
+                     ->check(positive_number())
+                     ->group("Targets");
   command
       ->add_option("--relative-edge-length", a->relative_length,
                    "the same, relative to the bounding box's diagonal")
       ->check(positive_number())
-      ->excludes(length);
+      ->excludes(length)
+      ->group("Targets");
   command->add_option("--max-volume", a->max_volume, "bound of each tetrahedron's volume")
-      ->check(positive_number());
+      ->check(positive_number())
+      ->group("Targets");
   command->add_option("--radius-edge-ratio", a->ratio, "quality: circumradius by shortest edge, 2 is usual")
-      ->check(CLI::Range(1.1, 1e6));
+      ->check(CLI::Range(1.1, 1e6))
+      ->group("Targets");
   command
       ->add_option("--min-dihedral", a->dihedral,
                    "quality: dihedral angle that is aimed at; degrees, at most 25")
-      ->check(CLI::Range(0.0, 25.0));
+      ->check(CLI::Range(0.0, 25.0))
+      ->group("Targets");
   command
       ->add_option("--keep", a->keep, "regions to keep: winding number not 0, every other one, or all inside")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(keep_names), std::end(keep_names))))
@@ -188,14 +204,16 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
   command->add_option("--time-limit", a->minutes, "minutes")->check(positive_number())->capture_default_str();
   add_periodic_option(*command, a->taken.no_periodic);
   add_format_options(*command, a->format);
-  command->add_flag("--json", a->json, "print a report as JSON");
+  add_report_options(*command, a->report, "with the surface in 3D, before and after, and the numbers");
+  add_old_json_flag(*command, a->report);
   command->footer(
       "The surface, with its tags (1 if it has none), and sharp curves are written as triangles and edges of "
       "the\n"
       "same file. TetGen is under the AGPL-3 and runs as a program of its own. A surface that is open, not\n"
       "manifold or intersects itself is refused.");
-  command->callback([a, &exit_code] {
-    run(*a);
+  command->callback([a, command, &exit_code] {
+    RunReport report(*command, a->report, {a->input}, {a->output});
+    run(*a, report);
     exit_code = done;
   });
 }

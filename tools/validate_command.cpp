@@ -11,6 +11,7 @@
 #include "multimesh/validate.hpp"
 #include "tools/command.hpp"
 #include "tools/domain_json.hpp"
+#include "tools/mesh_page.hpp"
 #include "tools/weld_arguments.hpp"
 
 namespace multimesh::tools {
@@ -20,12 +21,17 @@ namespace {
 struct ValidateArguments {
   std::string input;
   io::SurfaceWeldOptions weld;
-  bool json = false;
+  ReportOptions report;
 };
 
 /// Facts to know, and problems, which make the file invalid.
 struct Findings {
   std::vector<std::string> facts, problems;
+  std::vector<std::string> warnings;  ///< of reading; among the facts
+  HtmlMesh page = {};
+
+  explicit Findings(std::vector<std::string> of_reading)
+      : facts(of_reading), warnings(std::move(of_reading)) {}
 
   void add(std::size_t n, const char* what) {
     if (n > 0) problems.push_back(std::to_string(n) + " " + what);
@@ -47,7 +53,7 @@ std::size_t count_flat(const TexturedTriangles& t) {
 }
 
 Findings examine(const TexturedTriangles& input, std::vector<std::string> warnings) {
-  Findings f{std::move(warnings), {}};
+  Findings f(std::move(warnings));
   const TexturedSurface surface(input);
   const ManifoldReport m = report_manifoldness(input, surface);
   f.add(m.edges_with_three_or_more, "edges have three or more triangles");
@@ -61,8 +67,8 @@ Findings examine(const TexturedTriangles& input, std::vector<std::string> warnin
   return f;
 }
 
-Findings examine(files::DomainFile& file) {
-  Findings f{std::move(file.warnings), {}};
+Findings examine(files::DomainFile& file, bool page) {
+  Findings f(std::move(file.warnings));
   f.add(file.soup.notes.doubled, "elements are listed again with the same points and tag");
   f.add(files::count_coincident(file.soup), "points are at the place of another one, which --weld 0 joins");
   const TaggedTetrahedra tets = files::take_tetrahedra(file);
@@ -80,6 +86,7 @@ Findings examine(files::DomainFile& file) {
   f.add(r.missing_edges, "listed edges are no edge of a tetrahedron");
   f.add(r.missing_points, "listed points are no vertex of a tetrahedron");
   f.add_tree(domain.tree());
+  if (page) f.page = html_mesh(domain);
   return f;
 }
 
@@ -93,7 +100,7 @@ void add_weld(const io::SurfaceWeldReport& weld, Findings& f) {
 }
 
 Findings examine_curves(const io::PolygonSoup& soup) {
-  Findings f{soup.warnings, {}};
+  Findings f(soup.warnings);
   const files::PolylineReport r = files::report_polylines(soup);
   f.add(r.collapsed, "edges go from a vertex to itself");
   f.facts.push_back("no faces; " + std::to_string(r.curves.edges) + " edges in " +
@@ -101,21 +108,22 @@ Findings examine_curves(const io::PolygonSoup& soup) {
   return f;
 }
 
-Findings examine(io::PolygonSoup soup, const std::string& path, const io::SurfaceWeldOptions& weld) {
+Findings examine(io::PolygonSoup soup, const ValidateArguments& a) {
   if (soup.face_count() == 0) return examine_curves(soup);
-  files::SurfaceFile file = files::to_surface(std::move(soup), path, {.weld = weld});
+  files::SurfaceFile file = files::to_surface(std::move(soup), a.input, {.weld = a.weld});
   Findings f = examine(file.input, std::move(file.warnings));
   add_weld(file.weld, f);
   f.add(file.contents.repeated_faces, "faces repeat an earlier one");
   f.add(file.contents.collapsed_faces, "faces have fewer than three distinct vertices");
+  if (!a.report.html.empty()) f.page = html_mesh(file);
   return f;
 }
 
-Findings examine(const std::string& path, const io::SurfaceWeldOptions& weld) {
-  if (files::is_surface_format(path)) return examine(files::read_polygons(path, true), path, weld);
-  files::DomainFile file = files::read_simplices(path);
-  if (file.has_tetrahedra()) return examine(file);
-  return examine(files::polygons_of(file), path, weld);
+Findings examine(const ValidateArguments& a) {
+  if (files::is_surface_format(a.input)) return examine(files::read_polygons(a.input, true), a);
+  files::DomainFile file = files::read_simplices(a.input);
+  if (file.has_tetrahedra()) return examine(file, !a.report.html.empty());
+  return examine(files::polygons_of(file), a);
 }
 
 void print(const std::string& path, const Findings& f) {
@@ -124,30 +132,34 @@ void print(const std::string& path, const Findings& f) {
   for (const std::string& p : f.facts) std::cout << "  note: " << p << '\n';
 }
 
+bool run(const ValidateArguments& a, RunReport& report) {
+  Findings f = examine(a);
+  const bool is_valid = f.problems.empty();
+  report.json() = {{"file", a.input}, {"valid", is_valid}, {"problems", f.problems}, {"notes", f.facts}};
+  if (report.wants_page()) show_mesh(report, std::move(f.page), a.input);
+  if (!report.is_printed()) print(a.input, f);
+  report.finish(f.warnings, true);  // they are among the notes
+  return is_valid;
+}
+
 }  // namespace
 
 void add_validate_command(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("validate", "Whether a file's meshes are manifold, oriented and consistent.");
   auto a = std::make_shared<ValidateArguments>();
-  command->add_option("FILE", a->input, "OBJ, PLY, STL, OFF; MSH, MEDIT, VTU, VTP, VTK; also gzipped")
-      ->required();
+  command->add_option("FILE", a->input, files::all_formats)->required();
   add_weld_options(*command, a->weld);
-  command->add_flag("--json", a->json, "print JSON");
+  add_report_options(*command, a->report, "with the mesh in 3D and what was found");
+  add_old_json_flag(*command, a->report);
   command->footer(
       "Exit status 0: valid; 1: not, or it cannot be read. What is said to need copies or to be turned round "
       "is\n"
       "what the other commands do with it. Intersections of triangles are not looked for.");
-  command->callback([a, &exit_code] {
-    const Findings f = examine(a->input, a->weld);
-    if (a->json) {
-      std::cout << to_text(Json{
-          {"file", a->input}, {"valid", f.problems.empty()}, {"problems", f.problems}, {"notes", f.facts}});
-    } else {
-      print(a->input, f);
-    }
-    if (!std::cout.flush()) throw InputError("standard output: writing failed");
-    exit_code = f.problems.empty() ? done : refused;
+  command->callback([a, command, &exit_code] {
+    RunReport report(*command, a->report, {a->input});
+    const bool is_valid = run(*a, report);
+    exit_code = is_valid ? done : refused;
   });
 }
 

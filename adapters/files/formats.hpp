@@ -9,9 +9,12 @@ namespace multimesh::files {
 /// `a.obj.gz` is one.
 bool is_surface_format(const std::filesystem::path& path);
 
-/// Formats by name, for help texts and messages.
-constexpr const char* surface_formats = "OBJ, PLY, STL, OFF";
-constexpr const char* simplex_formats = "MSH, MEDIT, MFEM, VTU, VTP, VTK, .node/.ele";
+// For help texts and messages: what is read as tetrahedra, and as anything; what surfaces and tetrahedra are
+// written to.
+constexpr const char* simplex_formats = "MSH, MEDIT, MFEM, VTU, VTP, VTK, .node/.ele; also gzipped";
+constexpr const char* all_formats =
+    "OBJ, PLY, STL, OFF, MSH, MEDIT, MFEM, VTU, VTP, VTK, .node/.ele; also gzipped";
+constexpr const char* written_surface_formats = "OBJ, or PLY, STL, OFF, which have room for less";
 constexpr const char* written_simplex_formats = "MSH, MEDIT (.mesh), VTU";
 
 }  // namespace multimesh::files

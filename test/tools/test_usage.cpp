@@ -51,7 +51,7 @@ TEST_F(Usage, TheExampleOfTheHelpRuns) {
 TEST_F(Usage, HelpOfInfoSaysWhatTheNumbersAre) {
   const Ended e = run({"info", "--help"});
   EXPECT_EQ(e.status, 0);
-  for (const char* part : {"--json", "surface", "texture", "seams", "cut"})
+  for (const char* part : {"--report", "surface", "texture", "seams", "cut"})
     EXPECT_TRUE(contains(e.out, part)) << part;
 }
 

@@ -24,8 +24,14 @@ function readMeshes(page) {
 }
 
 function fillCaptions(page) {
-  for (const [name, side] of Object.entries(sides)) {
+  for (const name of Object.keys(sides)) {
+    if (!page.meshes[name]) {  // there is one mesh only
+      byId(`pane-${name}`).hidden = true;
+      byId('stage').classList.add('single');
+      continue;
+    }
     const { caption, triangles, included } = page.meshes[name];
+    const side = page.meshes.before ? sides[name] : 'Mesh';
     const faces = element('span', { class: 'more' }, ` ${caption} · ${formatNumber(triangles)} faces`);
     byId(`pane-${name}`).querySelector('figcaption').append(element('strong', {}, side), faces);
     byId(`atlas-${name}`).previousElementSibling.append(element('strong', {}, side), faces.cloneNode(true));
