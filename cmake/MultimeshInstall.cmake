@@ -8,10 +8,9 @@ set(include_dir "${CMAKE_INSTALL_INCLUDEDIR}/multimesh-${PROJECT_VERSION_MAJOR}"
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/multimesh")
 set(pkgconfig_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 
-install(TARGETS ${libraries} EXPORT multimesh-targets)
+install(TARGETS ${libraries} EXPORT multimesh-targets FILE_SET HEADERS DESTINATION "${include_dir}")
 install(EXPORT multimesh-targets NAMESPACE multimesh:: DESTINATION "${package_dir}")
-install(DIRECTORY multimesh adapters "${PROJECT_BINARY_DIR}/include/multimesh" DESTINATION "${include_dir}"
-  FILES_MATCHING PATTERN "*.hpp" PATTERN "adapters/tetgen/worker" EXCLUDE)
+install(FILES "${PROJECT_BINARY_DIR}/include/multimesh/version.hpp" DESTINATION "${include_dir}/multimesh")
 
 if(MULTIMESH_WITH_TETGEN)
   install(TARGETS multimesh_tetgen_worker DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/multimesh")

@@ -10,7 +10,8 @@ function(multimesh_compile_options target)
   endif()
 endfunction()
 
-# multimesh_add_library(NAME source...) makes the library multimesh_NAME, alias multimesh::NAME.
+# multimesh_add_library(NAME source...) makes the library multimesh_NAME, alias multimesh::NAME. Its public headers,
+# those that are installed, are named by multimesh_public_headers.
 function(multimesh_add_library name)
   add_library(multimesh_${name} ${ARGN})
   add_library(multimesh::${name} ALIAS multimesh_${name})
@@ -29,4 +30,17 @@ function(multimesh_add_library name)
     $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/multimesh-${PROJECT_VERSION_MAJOR}>)
   set_property(GLOBAL APPEND PROPERTY MULTIMESH_LIBRARIES multimesh_${name})
+endfunction()
+
+# multimesh_public_headers(NAME header...): as users include them, below `include` if there is one here, else below the
+# root. Public headers include public ones only.
+function(multimesh_public_headers name)
+  set(root "${PROJECT_SOURCE_DIR}")
+  if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/include")
+    set(root "${CMAKE_CURRENT_SOURCE_DIR}/include")
+  endif()
+  list(TRANSFORM ARGN PREPEND "${root}/" OUTPUT_VARIABLE files)
+  target_sources(multimesh_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${root}" FILES ${files})
+  set_property(GLOBAL PROPERTY MULTIMESH_HEADERS_${name} ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY MULTIMESH_PUBLIC_HEADERS ${files})
 endfunction()

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "adapters/openmesh/triangle_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 

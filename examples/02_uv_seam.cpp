@@ -4,8 +4,8 @@
 #include <iostream>
 #include <string>
 
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 

@@ -6,10 +6,10 @@
 #include <iostream>
 #include <map>
 
-#include "adapters/openmesh/make_mesh.hpp"
-#include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/build.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 

@@ -6,10 +6,10 @@
 #include <iostream>
 #include <numeric>
 
-#include "adapters/openmesh/make_mesh.hpp"
-#include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/build.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 #include "multimesh/scheduler.hpp"
 #include "multimesh/validate.hpp"
 

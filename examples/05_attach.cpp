@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "adapters/openmesh/attach.hpp"
+#include "multimesh/openmesh/attach.hpp"
 #include "multimesh/validate.hpp"
 
 using namespace multimesh;

@@ -6,9 +6,9 @@
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <iostream>
 
-#include "adapters/io/mesh_reader.hpp"
-#include "adapters/openmesh/attach.hpp"
-#include "adapters/openmesh/mod_multimesh.hpp"
+#include "multimesh/io/mesh_reader.hpp"
+#include "multimesh/openmesh/attach.hpp"
+#include "multimesh/openmesh/mod_multimesh.hpp"
 #include "multimesh/validate.hpp"
 
 using namespace multimesh;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "adapters/openmesh/attach.hpp"
+#include "multimesh/openmesh/attach.hpp"
 using namespace multimesh;
 using OpenMesh::Vec3d;
 using UserMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;

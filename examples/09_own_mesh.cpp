@@ -6,7 +6,7 @@
 #include <iostream>
 #include <random>
 
-#include "adapters/openmesh/attach.hpp"
+#include "multimesh/openmesh/attach.hpp"
 #include "multimesh/validate.hpp"
 #include "own_mesh.hpp"
 

@@ -3,10 +3,10 @@
 // periodic tile. What was odd about a file, and what a format has no room for, comes back as sentences.
 #include <iostream>
 
-#include "adapters/files/domain_file.hpp"
-#include "adapters/files/surface_file.hpp"
-#include "adapters/files/tile_file.hpp"
 #include "multimesh/algorithms/decimate.hpp"
+#include "multimesh/files/domain_file.hpp"
+#include "multimesh/files/surface_file.hpp"
+#include "multimesh/files/tile_file.hpp"
 
 using namespace multimesh;
 namespace fs = std::filesystem;

@@ -4,9 +4,9 @@
 #include <iostream>
 #include <memory>
 
-#include "adapters/files/formats.hpp"
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/formats.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "tools/command.hpp"
 #include "tools/comparison_json.hpp"
 #include "tools/comparison_page.hpp"

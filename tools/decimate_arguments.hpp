@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "adapters/io/weld_surface.hpp"
 #include "multimesh/algorithms/decimate.hpp"
+#include "multimesh/io/weld_surface.hpp"
 #include "tools/run_report.hpp"
 
 namespace multimesh::tools {

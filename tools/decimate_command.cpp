@@ -6,10 +6,10 @@
 #include <iostream>
 #include <memory>
 
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/texture_loss.hpp"
 #include "multimesh/domains/turn_reversed.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "tools/command.hpp"
 #include "tools/comparison_json.hpp"
 #include "tools/comparison_page.hpp"

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "adapters/files/domain_file.hpp"
+#include "multimesh/files/domain_file.hpp"
 
 namespace multimesh::tools {
 

@@ -7,11 +7,11 @@
 #include <map>
 #include <set>
 
-#include "adapters/files/formats.hpp"
 #include "adapters/io/weld.hpp"
 #include "adapters/tetgen/naming.hpp"
 #include "adapters/tetgen/worker_error.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/formats.hpp"
 
 namespace multimesh::tools {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "adapters/files/domain_file.hpp"
-#include "adapters/tetgen/tetrahedralize.hpp"
+#include "multimesh/files/domain_file.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 
 namespace multimesh::tools {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "adapters/files/domain_file.hpp"
-#include "adapters/files/materials.hpp"
-#include "adapters/files/surface_file.hpp"
+#include "multimesh/files/domain_file.hpp"
+#include "multimesh/files/materials.hpp"
+#include "multimesh/files/surface_file.hpp"
 
 namespace multimesh::tools {
 

@@ -10,9 +10,9 @@
 #include "multimesh/error.hpp"
 #include "tools/command.hpp"
 #ifdef MULTIMESH_WITH_IMPROVE
-#include "adapters/files/formats.hpp"
 #include "adapters/io/naming.hpp"
 #include "multimesh/algorithms/improve.hpp"
+#include "multimesh/files/formats.hpp"
 #include "tools/domain_arguments.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/mesh_page.hpp"

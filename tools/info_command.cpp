@@ -2,10 +2,10 @@
 #include <iostream>
 #include <memory>
 
-#include "adapters/files/formats.hpp"
-#include "adapters/files/polylines.hpp"
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/formats.hpp"
+#include "multimesh/files/polylines.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "tools/command.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/mesh_page.hpp"

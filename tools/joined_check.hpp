@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "adapters/files/domain_file.hpp"
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/surface_topology.hpp"
 #include "multimesh/algorithms/tet_topology.hpp"
+#include "multimesh/files/domain_file.hpp"
+#include "multimesh/files/surface_file.hpp"
 
 namespace multimesh::tools {
 

@@ -3,9 +3,9 @@
 
 #include <system_error>
 
-#include "adapters/files/formats.hpp"
 #include "adapters/io/output_path.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/formats.hpp"
 
 namespace multimesh::tools {
 

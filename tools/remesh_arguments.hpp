@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "adapters/io/weld_surface.hpp"
 #include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/io/weld_surface.hpp"
 #include "tools/domain_arguments.hpp"
 #include "tools/run_report.hpp"
 

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <sstream>
 
-#include "adapters/files/formats.hpp"
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/files/formats.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "multimesh/geometry/bounding_box.hpp"
 #include "multimesh/version.hpp"
 #include "tools/command.hpp"

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "adapters/files/formats.hpp"
 #include "adapters/io/naming.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/algorithms/remesh_domain.hpp"
+#include "multimesh/files/formats.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/mesh_page.hpp"

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "adapters/files/formats.hpp"
+#include "multimesh/files/formats.hpp"
 
 namespace multimesh::tools {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <numbers>
 
-#include "adapters/files/formats.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/formats.hpp"
 #include "multimesh/geometry/bounding_box.hpp"
 #include "tools/command.hpp"
 #include "tools/domain_arguments.hpp"

@@ -2,12 +2,12 @@
 #include <iostream>
 #include <memory>
 
-#include "adapters/files/formats.hpp"
-#include "adapters/files/polylines.hpp"
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/surface_topology.hpp"
 #include "multimesh/algorithms/tet_topology.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/formats.hpp"
+#include "multimesh/files/polylines.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "multimesh/validate.hpp"
 #include "tools/command.hpp"
 #include "tools/domain_json.hpp"

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "adapters/io/weld_surface.hpp"
+#include "multimesh/io/weld_surface.hpp"
 #include "tools/surface_json.hpp"
 
 namespace multimesh::tools {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/embree/triangle_tree.hpp"
+#include "multimesh/spatial/triangle_tree.hpp"
 
 #include <embree3/rtcore.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/files/domain_file.hpp"
+#include "multimesh/files/domain_file.hpp"
 
 #include "adapters/io/naming.hpp"
-#include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/used_points.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/geometry/coordinate_range.hpp"
+#include "multimesh/io/simplex_reader.hpp"
 
 namespace multimesh::files {
 

@@ -2,9 +2,9 @@
 #include <charconv>
 #include <set>
 
-#include "adapters/files/domain_file.hpp"
 #include "adapters/io/group_tags.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/domain_file.hpp"
 
 namespace multimesh::files {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/files/formats.hpp"
+#include "multimesh/files/formats.hpp"
 
 #include <string>
 

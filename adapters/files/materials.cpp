@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/files/materials.hpp"
+#include "multimesh/files/materials.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/files/polylines.hpp"
+#include "multimesh/files/polylines.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/files/domain_file.hpp"
 #include "adapters/io/matching_sides.hpp"
 #include "adapters/io/weld.hpp"
 #include "adapters/io/weld_simplices.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/domain_file.hpp"
 
 namespace multimesh::files {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/files/surface_file.hpp"
+#include "multimesh/files/surface_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,15 +11,15 @@
 #include <tuple>
 #include <utility>
 
-#include "adapters/files/formats.hpp"
-#include "adapters/io/mesh_reader.hpp"
 #include "adapters/io/naming.hpp"
 #include "adapters/io/polygons_to_simplices.hpp"
 #include "adapters/io/soup_check.hpp"
-#include "adapters/io/triangulate.hpp"
 #include "multimesh/domains/shading.hpp"
 #include "multimesh/domains/turn_reversed.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/files/formats.hpp"
+#include "multimesh/io/mesh_reader.hpp"
+#include "multimesh/io/triangulate.hpp"
 
 namespace multimesh::files {
 

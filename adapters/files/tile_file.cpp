@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/files/tile_file.hpp"
+#include "multimesh/files/tile_file.hpp"
 
 #include "adapters/io/naming.hpp"
 #include "adapters/io/periodic_links.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "adapters/files/domain_file.hpp"
 #include "adapters/io/group_tags.hpp"
+#include "multimesh/files/domain_file.hpp"
 
 namespace multimesh::files {
 

@@ -3,13 +3,13 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "adapters/files/surface_file.hpp"
 #include "adapters/io/gunzip.hpp"
 #include "adapters/io/mtl.hpp"
-#include "adapters/io/obj_writer.hpp"
-#include "adapters/io/polygon_writer.hpp"
 #include "multimesh/domains/corner_normals.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "multimesh/hash.hpp"
+#include "multimesh/io/obj_writer.hpp"
+#include "multimesh/io/polygon_writer.hpp"
 #include "multimesh/version.hpp"
 
 namespace multimesh::files {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/io/mesh_reader.hpp"
+#include "multimesh/io/mesh_reader.hpp"
 
 #include <array>
 #include <string>
@@ -7,10 +7,10 @@
 
 #include "adapters/io/gunzip.hpp"
 #include "adapters/io/input_location.hpp"
-#include "adapters/io/obj_reader.hpp"
 #include "adapters/io/off_reader.hpp"
 #include "adapters/io/ply_reader.hpp"
 #include "adapters/io/stl_reader.hpp"
+#include "multimesh/io/obj_reader.hpp"
 
 namespace multimesh::io {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "adapters/io/read_options.hpp"
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/read_options.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "adapters/io/output_buffer.hpp"
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 

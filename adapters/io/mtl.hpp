@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/io/polygon_soup.hpp"
+#include "multimesh/io/polygon_soup.hpp"
 
 namespace multimesh::io {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "adapters/io/polygon_soup.hpp"
+#include "multimesh/io/polygon_soup.hpp"
 
 namespace multimesh::io {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/io/obj_reader.hpp"
+#include "multimesh/io/obj_reader.hpp"
 
 #include <algorithm>
 #include <array>

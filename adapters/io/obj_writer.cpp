@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/io/obj_writer.hpp"
+#include "multimesh/io/obj_writer.hpp"
 
 #include <array>
 #include <string_view>

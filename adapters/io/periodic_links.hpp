@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 

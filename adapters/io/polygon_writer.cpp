@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/io/polygon_writer.hpp"
+#include "multimesh/io/polygon_writer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "adapters/io/gunzip.hpp"
 #include "adapters/io/output_buffer.hpp"
 #include "adapters/io/polygons_to_simplices.hpp"
-#include "adapters/io/simplex_writer.hpp"
+#include "multimesh/io/simplex_writer.hpp"
 
 namespace multimesh::io {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "adapters/io/group_tags.hpp"
 #include "adapters/io/simplex_builder.hpp"
-#include "adapters/io/triangulate.hpp"
+#include "multimesh/io/triangulate.hpp"
 
 namespace multimesh::io {
 

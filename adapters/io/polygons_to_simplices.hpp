@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "adapters/io/polygon_soup.hpp"
-#include "adapters/io/read_options.hpp"
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/polygon_soup.hpp"
+#include "multimesh/io/read_options.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "adapters/io/polygon_soup.hpp"
+#include "multimesh/io/polygon_soup.hpp"
 
 namespace multimesh::io {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 

@@ -9,7 +9,7 @@
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/repeated_simplices.hpp"
 #include "adapters/io/simplex_names.hpp"
-#include "adapters/io/triangulate.hpp"
+#include "multimesh/io/triangulate.hpp"
 
 namespace multimesh::io {
 

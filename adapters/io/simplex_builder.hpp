@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "adapters/io/read_options.hpp"
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/read_options.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 

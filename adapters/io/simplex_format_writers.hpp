@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "adapters/io/output_buffer.hpp"
-#include "adapters/io/simplex_soup.hpp"
-#include "adapters/io/simplex_writer.hpp"
+#include "multimesh/io/simplex_soup.hpp"
+#include "multimesh/io/simplex_writer.hpp"
 
 namespace multimesh::io {
 

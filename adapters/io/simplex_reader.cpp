@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/io/simplex_reader.hpp"
+#include "multimesh/io/simplex_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,13 +10,13 @@
 #include "adapters/io/gunzip.hpp"
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/medit_reader.hpp"
-#include "adapters/io/mesh_reader.hpp"
 #include "adapters/io/mfem_reader.hpp"
 #include "adapters/io/msh_reader.hpp"
 #include "adapters/io/polygons_to_simplices.hpp"
 #include "adapters/io/tetgen_files.hpp"
 #include "adapters/io/vtk_reader.hpp"
 #include "adapters/io/vtu_reader.hpp"
+#include "multimesh/io/mesh_reader.hpp"
 
 namespace multimesh::io {
 namespace {

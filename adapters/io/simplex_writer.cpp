@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/io/simplex_writer.hpp"
+#include "multimesh/io/simplex_writer.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -7,11 +7,11 @@
 #include "adapters/io/group_tags.hpp"
 #include "adapters/io/gunzip.hpp"
 #include "adapters/io/input_location.hpp"
-#include "adapters/io/obj_writer.hpp"
 #include "adapters/io/polygons_to_simplices.hpp"
 #include "adapters/io/simplex_format_writers.hpp"
 #include "adapters/io/simplex_names.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/io/obj_writer.hpp"
 
 namespace multimesh::io {
 namespace {

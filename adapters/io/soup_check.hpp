@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "adapters/io/polygon_soup.hpp"
-#include "adapters/io/read_options.hpp"
+#include "multimesh/io/polygon_soup.hpp"
+#include "multimesh/io/read_options.hpp"
 
 namespace multimesh::io {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "adapters/io/polygon_soup.hpp"
-#include "adapters/io/read_options.hpp"
+#include "multimesh/io/polygon_soup.hpp"
+#include "multimesh/io/read_options.hpp"
 
 namespace multimesh::io {
 

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "adapters/io/read_options.hpp"
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/read_options.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/io/triangulate.hpp"
+#include "multimesh/io/triangulate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 

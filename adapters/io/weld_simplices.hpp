@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/io/weld_surface.hpp"
+#include "multimesh/io/weld_surface.hpp"
 
 #include <algorithm>
 #include <string>

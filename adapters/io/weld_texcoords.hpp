@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adapters/io/weld_surface.hpp"
+#include "multimesh/io/weld_surface.hpp"
 
 namespace multimesh::io {
 

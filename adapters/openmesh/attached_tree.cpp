@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/attached_tree.hpp"
+#include "multimesh/openmesh/attached_tree.hpp"
 
 #include <cmath>
 #include <string>
 
 #include "adapters/openmesh/cut_labels.hpp"
-#include "adapters/openmesh/make_mesh.hpp"
-#include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/build.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 
 namespace multimesh::openmesh {
 

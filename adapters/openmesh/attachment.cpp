@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/attachment.hpp"
+#include "multimesh/openmesh/attachment.hpp"
 
 #include "multimesh/error.hpp"
 

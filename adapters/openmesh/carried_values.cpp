@@ -7,8 +7,8 @@
 #include <string>
 #include <typeinfo>
 
-#include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 
 namespace multimesh::openmesh {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/connectivity.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 
 #include <algorithm>
 #include <string>

@@ -2,7 +2,7 @@
 // The words of the connectivity as they are written, each into the journal first, and taken back.
 #include <algorithm>
 
-#include "adapters/openmesh/connectivity.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 
 namespace multimesh::openmesh {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/corner_values.hpp"
+#include "multimesh/openmesh/corner_values.hpp"
 
 #include <array>
 
-#include "adapters/openmesh/triangle_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 
 namespace multimesh::openmesh {
 

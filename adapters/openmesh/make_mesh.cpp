@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
 
 #include <array>
 #include <set>
 #include <string>
 
-#include "adapters/openmesh/edge_mesh.hpp"
-#include "adapters/openmesh/point_mesh.hpp"
-#include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/openmesh/edge_mesh.hpp"
+#include "multimesh/openmesh/point_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 #include "multimesh/pair_numbers.hpp"
 
 namespace multimesh::openmesh {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "adapters/openmesh/attachment.hpp"
 #include "adapters/openmesh/cut_labels.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/openmesh/attachment.hpp"
 
 namespace multimesh::openmesh {
 

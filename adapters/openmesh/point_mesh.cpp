@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/point_mesh.hpp"
+#include "multimesh/openmesh/point_mesh.hpp"
 
 #include <string>
 

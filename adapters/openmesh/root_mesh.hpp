@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "adapters/openmesh/attach.hpp"
+#include "multimesh/openmesh/attach.hpp"
 
 namespace multimesh::openmesh {
 

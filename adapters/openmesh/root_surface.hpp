@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 #include "multimesh/operations.hpp"
 
 namespace multimesh::openmesh {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/saved_star.hpp"
+#include "multimesh/openmesh/saved_star.hpp"
 
 namespace multimesh::openmesh {
 

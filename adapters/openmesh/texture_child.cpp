@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/texture_child.hpp"
+#include "multimesh/openmesh/texture_child.hpp"
 
 #include <utility>
 
 #include "adapters/openmesh/corner_classes.hpp"
-#include "adapters/openmesh/make_mesh.hpp"
 #include "multimesh/build.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
 
 namespace multimesh::openmesh {
 

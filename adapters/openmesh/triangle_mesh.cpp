@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/triangle_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Splits, collapses and flips of a triangle mesh, halfedge by halfedge.
-#include "adapters/openmesh/triangle_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 
 namespace multimesh::openmesh {
 

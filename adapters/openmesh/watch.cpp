@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/openmesh/watch.hpp"
+#include "multimesh/openmesh/watch.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Darts, neighbourhoods, maps and properties. Construction, operations, the journal and the checks are in
 // files of their own.
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "adapters/tet/codes.hpp"
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 #include "multimesh/tet_sides.hpp"
 
 namespace multimesh::tet {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes with their old values, word by word, and undo.
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 namespace multimesh::tet {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "adapters/tet/codes.hpp"
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 namespace multimesh::tet {
 

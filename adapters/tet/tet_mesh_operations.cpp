@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "adapters/tet/codes.hpp"
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 namespace multimesh::tet {
 

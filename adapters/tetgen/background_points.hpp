@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "adapters/tetgen/delaunay.hpp"
+#include "multimesh/tetgen/delaunay.hpp"
 
 namespace multimesh::tetgen {
 

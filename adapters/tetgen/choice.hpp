@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "adapters/tetgen/filling.hpp"
-#include "adapters/tetgen/tetrahedralize.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 
 namespace multimesh::tetgen {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/tetgen/delaunay.hpp"
+#include "multimesh/tetgen/delaunay.hpp"
 
 #include <algorithm>
 #include <mutex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/tetgen/facets.hpp"
+#include "multimesh/tetgen/facets.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "adapters/tetgen/tetrahedralize.hpp"
 #include "adapters/tetgen/worker_call.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 
 namespace multimesh::tetgen {
 

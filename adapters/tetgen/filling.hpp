@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "adapters/tetgen/facets.hpp"
 #include "adapters/tetgen/regions.hpp"
 #include "adapters/tetgen/worker_call.hpp"
+#include "multimesh/tetgen/facets.hpp"
 
 namespace multimesh::tetgen {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "adapters/tetgen/tetrahedra.hpp"
+#include "multimesh/tetgen/tetrahedra.hpp"
 
 namespace multimesh::tetgen {
 

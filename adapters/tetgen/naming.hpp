@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/tetgen/tetrahedralize.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 
 namespace multimesh::tetgen {
 

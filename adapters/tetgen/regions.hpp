@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "adapters/tetgen/facets.hpp"
 #include "adapters/tetgen/worker_call.hpp"
+#include "multimesh/tetgen/facets.hpp"
 
 namespace multimesh::tetgen {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "adapters/tetgen/facets.hpp"
+#include "multimesh/tetgen/facets.hpp"
 
 namespace multimesh::tetgen {
 

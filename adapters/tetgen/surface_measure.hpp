@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "adapters/tetgen/tetrahedra.hpp"
+#include "multimesh/tetgen/tetrahedra.hpp"
 
 namespace multimesh::tetgen {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/tetgen/tetrahedralize.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 
 #include <algorithm>
 #include <cmath>

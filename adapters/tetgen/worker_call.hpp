@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/tetgen/tetrahedra.hpp"
+#include "multimesh/tetgen/tetrahedra.hpp"
 
 namespace multimesh::tetgen {
 

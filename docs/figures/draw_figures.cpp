@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iostream>
 
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "multimesh/operations.hpp"
 #include "picture.hpp"
 

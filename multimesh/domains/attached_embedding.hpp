@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adapters/openmesh/attach.hpp"
 #include "multimesh/embedding.hpp"
+#include "multimesh/openmesh/attach.hpp"
 
 namespace multimesh {
 

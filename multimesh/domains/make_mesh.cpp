@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/domains/make_mesh.hpp"
 
-#include "adapters/openmesh/make_mesh.hpp"
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 namespace multimesh {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "adapters/tet/tet_mesh.hpp"
 #include "multimesh/multi_mesh.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 namespace multimesh {
 

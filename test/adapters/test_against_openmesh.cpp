@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "adapters/openmesh/triangle_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 #include "oracle/random_surface.hpp"
 #include "test/core/bridge.hpp"
 

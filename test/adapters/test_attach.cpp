@@ -5,9 +5,9 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "adapters/openmesh/make_mesh.hpp"
-#include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/build.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 #include "test/support/shapes.hpp"

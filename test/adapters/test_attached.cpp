@@ -9,8 +9,8 @@
 #include <map>
 #include <random>
 
-#include "adapters/openmesh/attach.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/openmesh/attach.hpp"
 #include "multimesh/validate.hpp"
 #include "test/support/shapes.hpp"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "adapters/openmesh/attach.hpp"
+#include "multimesh/openmesh/attach.hpp"
 #include "multimesh/validate.hpp"
 #include "test/support/shapes.hpp"
 

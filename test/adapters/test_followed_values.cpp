@@ -4,7 +4,7 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "adapters/openmesh/attach.hpp"
+#include "multimesh/openmesh/attach.hpp"
 
 namespace multimesh::test {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 
-#include "adapters/openmesh/edge_mesh.hpp"
-#include "adapters/openmesh/make_mesh.hpp"
-#include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/openmesh/edge_mesh.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 
 namespace multimesh::test {
 namespace {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <random>
 
-#include "adapters/openmesh/connectivity.hpp"
-#include "adapters/openmesh/make_mesh.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
 #include "test/support/shapes.hpp"
 
 namespace multimesh::test {

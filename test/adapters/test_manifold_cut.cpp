@@ -12,8 +12,8 @@
 #include <set>
 #include <string>
 
-#include "adapters/openmesh/attach.hpp"
 #include "adapters/openmesh/manifold_cut.hpp"
+#include "multimesh/openmesh/attach.hpp"
 #include "multimesh/validate.hpp"
 #include "test/support/shapes.hpp"
 

@@ -8,8 +8,8 @@
 #include <random>
 #include <thread>
 
-#include "adapters/embree/triangle_tree.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/spatial/triangle_tree.hpp"
 
 namespace multimesh::spatial {
 namespace {

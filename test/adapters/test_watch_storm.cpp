@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "adapters/openmesh/attach.hpp"
+#include "multimesh/openmesh/attach.hpp"
 #include "multimesh/validate.hpp"
 #include "test/openmesh_tools/textured_torus.hpp"
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-#include "adapters/files/surface_file.hpp"
+#include "multimesh/files/surface_file.hpp"
 
 namespace multimesh::test {
 

@@ -10,9 +10,9 @@
 #include <iostream>
 #include <optional>
 
-#include "adapters/io/mesh_reader.hpp"
-#include "adapters/openmesh/mod_multimesh.hpp"
 #include "adapters/openmesh/root_mesh.hpp"
+#include "multimesh/io/mesh_reader.hpp"
+#include "multimesh/openmesh/mod_multimesh.hpp"
 #include "multimesh/validate.hpp"
 
 namespace multimesh::bench {

@@ -3,9 +3,9 @@
 
 #include <numeric>
 
-#include "adapters/openmesh/make_mesh.hpp"
-#include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/build.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 
 namespace multimesh::bench {
 

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "adapters/tet/tet_mesh.hpp"
 #include "multimesh/operations.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 namespace multimesh::bench {
 

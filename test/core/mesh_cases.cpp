@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/domains/make_mesh.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 #include "test/core/bridge.hpp"
 #include "test/support/solids.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <random>
 
-#include "adapters/openmesh/connectivity.hpp"
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
 #include "test/core/user_values.hpp"

@@ -2,7 +2,7 @@
 // Where the merged vertex of a collapse goes, and which ends keep their place.
 #include <gtest/gtest.h>
 
-#include "adapters/openmesh/connectivity.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "adapters/openmesh/add_values.hpp"
-#include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/domains/make_mesh.hpp"
+#include "multimesh/openmesh/add_values.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
 #include "test/support/fingerprint.hpp"

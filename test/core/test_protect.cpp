@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "adapters/openmesh/triangle_mesh.hpp"
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 #include "multimesh/operations.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 #include "multimesh/validate.hpp"
 #include "test/support/solids.hpp"
 #include "test/support/trees.hpp"

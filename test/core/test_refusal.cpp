@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "adapters/openmesh/connectivity.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
 #include "test/core/user_values.hpp"

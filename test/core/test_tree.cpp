@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "adapters/openmesh/make_mesh.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
 #include "test/support/fingerprint.hpp"

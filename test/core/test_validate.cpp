@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "adapters/openmesh/connectivity.hpp"
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 #include "multimesh/validate.hpp"
 #include "test/core/drawn.hpp"
 #include "test/support/solids.hpp"

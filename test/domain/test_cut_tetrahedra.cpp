@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "adapters/tet/tet_mesh.hpp"
 #include "multimesh/mesh.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 #include "test/domain/box.hpp"
 
 namespace multimesh::test {

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <random>
 
-#include "adapters/files/domain_file.hpp"
 #include "adapters/io/repeated_simplices.hpp"
-#include "adapters/io/simplex_reader.hpp"
-#include "adapters/io/simplex_writer.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/domains/joined_mesh.hpp"
+#include "multimesh/files/domain_file.hpp"
+#include "multimesh/io/simplex_reader.hpp"
+#include "multimesh/io/simplex_writer.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tetrahedra read and written in two lines: regions, patches, curves and their names go with them.
-#include "adapters/files/domain_file.hpp"
-#include "adapters/files/surface_file.hpp"
+#include "multimesh/files/domain_file.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "test/domain/box.hpp"
 #include "test/files/folder.hpp"
 

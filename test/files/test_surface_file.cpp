@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces read and written in two lines: materials, groups and warnings go with them.
-#include "adapters/files/materials.hpp"
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/algorithms/surface_topology.hpp"
+#include "multimesh/files/materials.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "test/files/folder.hpp"
 
 namespace multimesh::files::test {

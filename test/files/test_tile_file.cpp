@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic tiles: what is glued is in the file.
-#include "adapters/files/tile_file.hpp"
+#include "multimesh/files/tile_file.hpp"
 #include "multimesh/validate.hpp"
 #include "test/files/folder.hpp"
 #include "test/periodic/tiles.hpp"

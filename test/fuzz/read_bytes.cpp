@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "adapters/io/mesh_reader.hpp"
-#include "adapters/io/simplex_reader.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/io/mesh_reader.hpp"
+#include "multimesh/io/simplex_reader.hpp"
 
 namespace multimesh::test {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "adapters/io/simplex_reader.hpp"
-#include "adapters/io/simplex_soup.hpp"
-#include "adapters/io/simplex_writer.hpp"
 #include "io_fixture.hpp"
+#include "multimesh/io/simplex_reader.hpp"
+#include "multimesh/io/simplex_soup.hpp"
+#include "multimesh/io/simplex_writer.hpp"
 
 namespace multimesh::io::test {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "adapters/io/atomic_file.hpp"
-#include "adapters/io/obj_writer.hpp"
 #include "io_fixture.hpp"
+#include "multimesh/io/obj_writer.hpp"
 
 namespace multimesh::io::test {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "adapters/io/mesh_reader.hpp"
 #include "io_fixture.hpp"
+#include "multimesh/io/mesh_reader.hpp"
 
 namespace multimesh::io::test {
 namespace {

@@ -2,8 +2,8 @@
 // What read_mesh says of every file that is wrong on purpose, of what is no file, and of the good ones.
 #include <map>
 
-#include "adapters/io/mesh_reader.hpp"
 #include "io_fixture.hpp"
+#include "multimesh/io/mesh_reader.hpp"
 
 namespace multimesh::io::test {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <random>
 
-#include "adapters/io/mesh_reader.hpp"
-#include "adapters/io/obj_reader.hpp"
 #include "io_fixture.hpp"
+#include "multimesh/io/mesh_reader.hpp"
+#include "multimesh/io/obj_reader.hpp"
 
 namespace multimesh::io::test {
 namespace {

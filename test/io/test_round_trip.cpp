@@ -4,10 +4,10 @@
 #include <random>
 #include <set>
 
-#include "adapters/io/mesh_reader.hpp"
-#include "adapters/io/obj_reader.hpp"
-#include "adapters/io/obj_writer.hpp"
 #include "io_fixture.hpp"
+#include "multimesh/io/mesh_reader.hpp"
+#include "multimesh/io/obj_reader.hpp"
+#include "multimesh/io/obj_writer.hpp"
 
 namespace multimesh::io::test {
 namespace {

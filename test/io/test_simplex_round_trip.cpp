@@ -4,8 +4,8 @@
 #include <map>
 
 #include "adapters/io/group_tags.hpp"
-#include "adapters/io/mesh_reader.hpp"
 #include "adapters/io/used_points.hpp"
+#include "multimesh/io/mesh_reader.hpp"
 #include "simplex_fixture.hpp"
 
 namespace multimesh::io::test {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "adapters/io/group_tags.hpp"
-#include "adapters/io/mesh_reader.hpp"
+#include "multimesh/io/mesh_reader.hpp"
 #include "simplex_fixture.hpp"
 
 namespace multimesh::io::test {

@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "adapters/io/gunzip.hpp"
-#include "adapters/io/mesh_reader.hpp"
 #include "adapters/io/off_reader.hpp"
-#include "adapters/io/simplex_reader.hpp"
 #include "adapters/io/stl_reader.hpp"
+#include "multimesh/io/mesh_reader.hpp"
+#include "multimesh/io/simplex_reader.hpp"
 #include "simplex_fixture.hpp"
 
 namespace multimesh::io::test {

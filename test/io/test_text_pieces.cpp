@@ -2,8 +2,8 @@
 #include <random>
 
 #include "adapters/io/file_bytes.hpp"
-#include "adapters/io/obj_reader.hpp"
 #include "io_fixture.hpp"
+#include "multimesh/io/obj_reader.hpp"
 
 namespace multimesh::io::test {
 namespace {

@@ -9,9 +9,9 @@
 #include <numeric>
 #include <random>
 
-#include "adapters/io/obj_reader.hpp"
-#include "adapters/io/triangulate.hpp"
 #include "io_fixture.hpp"
+#include "multimesh/io/obj_reader.hpp"
+#include "multimesh/io/triangulate.hpp"
 
 namespace multimesh::io::test {
 namespace {

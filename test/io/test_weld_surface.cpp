@@ -9,8 +9,8 @@
 #include <random>
 #include <set>
 
-#include "adapters/io/mesh_reader.hpp"
-#include "adapters/io/weld_surface.hpp"
+#include "multimesh/io/mesh_reader.hpp"
+#include "multimesh/io/weld_surface.hpp"
 
 namespace multimesh::io::test {
 namespace {

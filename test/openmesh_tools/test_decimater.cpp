@@ -11,9 +11,9 @@
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
-#include "adapters/openmesh/mod_multimesh.hpp"
 #include "adapters/openmesh/root_mesh.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/openmesh/mod_multimesh.hpp"
 #include "multimesh/validate.hpp"
 #include "test/openmesh_tools/textured_torus.hpp"
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "adapters/openmesh/attach.hpp"
 #include "multimesh/algorithms/subdivide.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
+#include "multimesh/openmesh/attach.hpp"
 #include "multimesh/validate.hpp"
 #include "test/openmesh_tools/textured_torus.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 #include "multimesh/validate.hpp"
 #include "test/oracle/big_integer.hpp"
 

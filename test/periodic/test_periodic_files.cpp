@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "adapters/io/simplex_reader.hpp"
+#include "multimesh/io/simplex_reader.hpp"
 #include "multimesh/validate.hpp"
 #include "test/periodic/betti.hpp"
 #include "test/periodic/periodic_storm.hpp"

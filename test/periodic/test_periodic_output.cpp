@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "adapters/files/tile_file.hpp"
+#include "multimesh/files/tile_file.hpp"
 #include "multimesh/validate.hpp"
 #include "test/periodic/periodic_storm.hpp"
 #include "test/periodic/recut.hpp"

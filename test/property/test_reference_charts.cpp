@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "adapters/openmesh/connectivity.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 #include "multimesh/validate.hpp"
 #include "property/collapse_trials.hpp"
 #include "test/support/trees.hpp"

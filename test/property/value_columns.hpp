@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "adapters/openmesh/connectivity.hpp"
-#include "adapters/tet/tet_mesh.hpp"
 #include "multimesh/column.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 #include "multimesh/operations.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 #include "test/property/value_model.hpp"
 
 namespace multimesh::test {

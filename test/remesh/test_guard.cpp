@@ -4,10 +4,10 @@
 
 #include <numbers>
 
-#include "adapters/openmesh/triangle_mesh.hpp"
 #include "multimesh/algorithms/remeshing/distance_guard.hpp"
 #include "multimesh/algorithms/remeshing/plane_sides.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
+#include "multimesh/openmesh/triangle_mesh.hpp"
 #include "test/support/trees.hpp"
 
 namespace multimesh::test {

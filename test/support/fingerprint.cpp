@@ -4,8 +4,8 @@
 #include <array>
 #include <bit>
 
-#include "adapters/openmesh/connectivity.hpp"
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 namespace multimesh::test {
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <utility>
 
-#include "adapters/openmesh/connectivity.hpp"
-#include "adapters/tet/tet_mesh.hpp"
 #include "multimesh/domains/make_mesh.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 namespace multimesh::test {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "adapters/tetgen/tetrahedra.hpp"
+#include "multimesh/tetgen/tetrahedra.hpp"
 
 namespace multimesh::test {
 

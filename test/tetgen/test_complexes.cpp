@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "adapters/tetgen/tetrahedralize.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 #include "test/tetgen/closed_shapes.hpp"
 #include "test/tetgen/tet_facts.hpp"
 #include "test/tetgen/voxels.hpp"

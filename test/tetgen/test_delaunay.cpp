@@ -6,8 +6,8 @@
 #include <random>
 #include <thread>
 
-#include "adapters/tetgen/delaunay.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/tetgen/delaunay.hpp"
 #include "test/tetgen/tet_facts.hpp"
 
 namespace multimesh::test {

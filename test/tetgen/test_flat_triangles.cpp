@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "adapters/tetgen/facets.hpp"
-#include "adapters/tetgen/tetrahedralize.hpp"
+#include "multimesh/tetgen/facets.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 #include "test/tetgen/closed_shapes.hpp"
 #include "test/tetgen/tet_facts.hpp"
 

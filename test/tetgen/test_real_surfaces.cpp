@@ -6,8 +6,8 @@
 #include <iomanip>
 #include <iostream>
 
-#include "adapters/tetgen/tetrahedralize.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 #include "test/tetgen/surface_file.hpp"
 #include "test/tetgen/tet_facts.hpp"
 

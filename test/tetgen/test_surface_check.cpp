@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "adapters/tetgen/tetrahedralize.hpp"
 #include "adapters/tetgen/worker_error.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 #include "test/tetgen/closed_shapes.hpp"
 
 namespace multimesh::test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "adapters/tetgen/tetrahedralize.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 #include "test/tetgen/closed_shapes.hpp"
 #include "test/tetgen/tet_facts.hpp"
 

@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "adapters/tetgen/file_descriptor.hpp"
-#include "adapters/tetgen/tetrahedralize.hpp"
 #include "adapters/tetgen/worker_error.hpp"
 #include "adapters/tetgen/worker_path.hpp"
 #include "multimesh/error.hpp"
+#include "multimesh/tetgen/tetrahedralize.hpp"
 #include "test/tetgen/closed_shapes.hpp"
 #include "test/tetgen/worker_script.hpp"
 

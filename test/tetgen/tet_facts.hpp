@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adapters/tetgen/tetrahedra.hpp"
+#include "multimesh/tetgen/tetrahedra.hpp"
 
 namespace multimesh::test {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "adapters/io/simplex_soup.hpp"
+#include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::tools::test {
 

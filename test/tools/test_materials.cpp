@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "adapters/io/obj_reader.hpp"
+#include "multimesh/io/obj_reader.hpp"
 #include "program.hpp"
 
 namespace multimesh::tools::test {

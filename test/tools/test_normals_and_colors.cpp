@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "adapters/io/obj_reader.hpp"
+#include "multimesh/io/obj_reader.hpp"
 #include "program.hpp"
 
 namespace multimesh::tools::test {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "adapters/io/mesh_reader.hpp"
+#include "multimesh/io/mesh_reader.hpp"
 #include "program.hpp"
 
 namespace multimesh::tools::test {

@@ -2,8 +2,8 @@
 // One surface in every format, plain and packed, through every command that reads surfaces.
 #include <cstdlib>
 
-#include "adapters/io/mesh_reader.hpp"
-#include "adapters/io/simplex_writer.hpp"
+#include "multimesh/io/mesh_reader.hpp"
+#include "multimesh/io/simplex_writer.hpp"
 #include "program.hpp"
 
 namespace multimesh::tools::test {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "adapters/io/group_tags.hpp"
-#include "adapters/io/simplex_reader.hpp"
-#include "adapters/io/simplex_writer.hpp"
+#include "multimesh/io/simplex_reader.hpp"
+#include "multimesh/io/simplex_writer.hpp"
 #include "test/tools/listed_domain.hpp"
 #include "test/tools/program.hpp"
 

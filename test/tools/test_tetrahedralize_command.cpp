@@ -11,7 +11,7 @@
 #include <sstream>
 #include <thread>
 
-#include "adapters/io/simplex_reader.hpp"
+#include "multimesh/io/simplex_reader.hpp"
 #include "program.hpp"
 #include "test/tetgen/voxels.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adapters/embree/triangle_tree.hpp"
 #include "multimesh/algorithms/comparison/samples.hpp"
+#include "multimesh/spatial/triangle_tree.hpp"
 
 namespace multimesh::comparison {
 

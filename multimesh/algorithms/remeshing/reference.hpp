@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "adapters/embree/triangle_tree.hpp"
 #include "multimesh/embedding.hpp"
 #include "multimesh/geometry/vector.hpp"
+#include "multimesh/spatial/triangle_tree.hpp"
 #include "multimesh/tree_strata.hpp"
 
 namespace multimesh::remeshing {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "adapters/openmesh/add_values.hpp"
-#include "adapters/openmesh/connectivity.hpp"
-#include "adapters/tet/tet_mesh.hpp"
+#include "multimesh/openmesh/add_values.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
+#include "multimesh/tet/tet_mesh.hpp"
 
 namespace multimesh {
 

@@ -9,14 +9,14 @@
 #include <numbers>
 #include <set>
 
-#include "adapters/openmesh/add_values.hpp"
-#include "adapters/tet/simplex_map.hpp"
 #include "multimesh/domains/make_mesh.hpp"
 #include "multimesh/domains/oriented_parts.hpp"
 #include "multimesh/domains/tet_domain/data.hpp"
 #include "multimesh/faces.hpp"
 #include "multimesh/geometry/orient3d.hpp"
 #include "multimesh/geometry/tet_shape.hpp"
+#include "multimesh/openmesh/add_values.hpp"
+#include "multimesh/tet/simplex_map.hpp"
 
 namespace multimesh {
 

@@ -2,9 +2,9 @@
 // Private to the files tet_domain*.cpp.
 #pragma once
 
-#include "adapters/openmesh/connectivity.hpp"
-#include "adapters/tet/simplex_map.hpp"
 #include "multimesh/domains/tet_domain.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
+#include "multimesh/tet/simplex_map.hpp"
 
 namespace multimesh {
 

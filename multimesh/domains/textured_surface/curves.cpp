@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "adapters/openmesh/make_mesh.hpp"
 #include "multimesh/build.hpp"
 #include "multimesh/domains/textured_surface/data.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
 
 namespace multimesh {
 

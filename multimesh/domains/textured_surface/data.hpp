@@ -2,10 +2,10 @@
 // Private to the files textured_surface*.cpp.
 #pragma once
 
-#include "adapters/openmesh/add_values.hpp"
-#include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/cut.hpp"
 #include "multimesh/domains/textured_surface.hpp"
+#include "multimesh/openmesh/add_values.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 
 namespace multimesh {
 

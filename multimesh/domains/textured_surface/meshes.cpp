@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "adapters/openmesh/make_mesh.hpp"
-#include "adapters/openmesh/texture_child.hpp"
 #include "multimesh/domains/shading.hpp"
 #include "multimesh/domains/textured_surface/data.hpp"
+#include "multimesh/openmesh/make_mesh.hpp"
+#include "multimesh/openmesh/texture_child.hpp"
 
 namespace multimesh {
 

@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <exception>
 
-#include "adapters/files/surface_file.hpp"
-#include "adapters/io/obj_reader.hpp"
-#include "adapters/openmesh/connectivity.hpp"
 #include "multimesh/algorithms/compare.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/files/surface_file.hpp"
+#include "multimesh/io/obj_reader.hpp"
+#include "multimesh/openmesh/connectivity.hpp"
 #include "multimesh/validate.hpp"
 #include "multimesh/version.hpp"
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "multimesh/io/simplex_soup.hpp"
+
+namespace multimesh::io {
+
+enum class MshVersion { v2_2, v4_1 };
+
+struct SimplexWriteOptions {
+  /// Of .msh files.
+  MshVersion msh_version = MshVersion::v4_1;
+  /// .msh, .vtu, .stl and .ply have a binary form, which this chooses; the other formats are always text.
+  bool binary = true;
+};
+
+/// Writes a soup in the format that the extension names:
+///
+/// | extension | dimensions | tags | names | numbers |
+/// |---|---|---|---|---|
+/// | .msh (Gmsh 2.2, 4.1) | 0 to 3 | positive; others get new ones, named groups | yes | double |
+/// | .mesh (MEDIT) | 0 to 3 | yes, with point_tags and flags | no | double, text |
+/// | .vtu (VTK) | 0 to 3 | yes, cell array `tag` | no | double, zlib if binary |
+/// | .obj | 1, 2 | no | no | double, text |
+/// | .off | 2 | no | no | double, text |
+/// | .ply | 2 | no | no | double |
+/// | .stl | 2 | no | no | float if binary, double as text; points are not shared |
+///
+/// Text has the fewest digits from which the same double is read again. Vertices in MEDIT are written as
+/// Corners, or as RequiredVertices where they have that flag only, and pass their tags to their points.
+/// Points and simplices keep their order; in 4.1 by their numbers, for there they are grouped by entity, one
+/// for each tag. A simplex in several groups (SimplexSoup::TagSet) is so in .msh files: 2.2 lists it once for
+/// each of them, in 4.1 its entity has them all. Periodic links are written to .msh ($Periodic), with the
+/// entities that they name (MshEntities). Of all that is not written a warning tells. The file
+/// appears complete or not at all (AtomicFile). \return warnings, one sentence each, naming the file \throw
+/// InputError for an unknown extension, no simplex that the format can hold, coordinates or tags that it
+///   cannot hold, a directory, a missing directory, a full disk. UsageError for a soup whose arrays do not
+///   fit together.
+std::vector<std::string> write_simplices(const std::filesystem::path& path, const SimplexSoup& soup,
+                                         const SimplexWriteOptions& options = {});
+
+}  // namespace multimesh::io
