@@ -11,14 +11,14 @@
 
 namespace multimesh {
 
-/// In place of a dimension: values on the corners of facets.
+/// Used in place of a dimension: values on the corners of facets.
 inline constexpr int corners = -1;
 
 /// Values on one mesh that follow the operations. Writes are undone with the transaction.
 class Attribute {
  public:
   using Mark = std::size_t;
-  /// `dimension`: of the simplices that have the values, or `corners`.
+  /// `dimension`: that of the simplices that have the values, or `corners`.
   explicit Attribute(NodeId node, int dimension = 0) : node_(node), dimension_(dimension) {}
   virtual ~Attribute() = default;
   Attribute(const Attribute&) = delete;
@@ -26,23 +26,23 @@ class Attribute {
 
   NodeId node() const noexcept { return node_; }
   int dimension() const noexcept { return dimension_; }
-  /// How many values there must be.
+  /// The required number of values.
   std::size_t slots(const Mesh& mesh) const {
     return dimension_ == corners ? mesh.corner_capacity() : mesh.capacity(dimension_);
   }
-  /// Called once per copy and operation, after the connectivity of all meshes has changed, root first.
+  /// Called once per copy and operation, root first, after the connectivity of all meshes has changed.
   virtual void update(Operation operation, const VertexChange& change) = 0;
-  /// Called once per operation, after all updates: for values on other simplices than vertices (corners,
+  /// Called once per operation, after all updates: for values on simplices other than vertices (corners,
   /// edges).
   virtual void finish(const Event&) {}
   virtual Mark mark() const = 0;
   virtual void rollback(Mark mark) = 0;
   virtual void forget() = 0;
 
-  /// \throw UsageError if there are fewer values than this, or, `exactly`, others. Asked before each
-  /// operation
+  /// \throw UsageError if there are fewer values than `slots`, or, with `exactly`, a different number.
+  /// Called before each operation
   virtual void require_size(std::size_t /*slots*/, bool /*exactly*/ = false) const {}
-  /// Grows to this many values: called when the mesh has. Journaled
+  /// Grows to `slots` values. Called after the mesh has grown. Journaled
   virtual void grow(std::size_t /*slots*/) {}
 
  private:
@@ -51,9 +51,9 @@ class Attribute {
 };
 
 /// Values in a std::vector, one per slot of its kind of simplex, and their journal. The vector may be one
-/// that grows and is compacted with its mesh (an OpenMesh property's data_vector()), or any other: that grows
-/// with the operations; after MultiMesh::compact() or resync() the caller has to move its values as those
-/// tell, and to resize it, before the next operation.
+/// that grows and is compacted with its mesh (an OpenMesh property's data_vector()), or any other. Any other
+/// vector grows with the operations; after MultiMesh::compact() or resync() the caller has to move its values
+/// as those calls report, and to resize it, before the next operation.
 template <class T>
 class ValueAttribute : public Attribute {
  public:
@@ -62,7 +62,7 @@ class ValueAttribute : public Attribute {
   const std::vector<T>& values() const noexcept { return *values_; }
   Reference operator[](Index i) const { return (*values_)[i]; }
 
-  /// A journaled write; use it instead of writing to the vector inside transactions.
+  /// A journaled write. Inside transactions, use it instead of writing to the vector.
   void set(Index i, T value) {
     undo_.emplace_back(i, T((*values_)[i]));
     (*values_)[i] = std::move(value);
@@ -109,18 +109,18 @@ class ValueAttribute : public Attribute {
   std::vector<T>* values_;
   std::vector<std::pair<Index, T>> undo_;
   struct Resized {
-    std::size_t writes, size;  // after so many writes, from this size
+    std::size_t writes, size;  // the vector grew from this size after so many writes
   };
   std::vector<Resized> sizes_;
 };
 
-/// Types with a weighted mean; others take the value of the nearer end.
+/// Types with a weighted mean. Values of other types are taken from the nearer end.
 template <class T>
 concept Interpolable = !std::is_integral_v<T> && requires(const T& a) {
   T(a * 0.5 + a * 0.5);
 };
 
-/// (1-t) a + t b; the nearer one of types without a mean.
+/// (1-t) a + t b; the nearer of the two for types without a mean.
 template <class T>
 T interpolated(const T& a, const T& b, double t) {
   if (t <= 0 || t >= 1) return t <= 0 ? a : b;
@@ -131,10 +131,10 @@ T interpolated(const T& a, const T& b, double t) {
   }
 }
 
-/// A vertex attribute. The default rule interpolates: (1-t) a + t b at the new or merged vertex. Another rule
-/// may be given, per attribute, for instance one that pulls the value from the parent's mesh:
+/// A vertex attribute. The default rule interpolates: (1-t) a + t b at the new or merged vertex. Each
+/// attribute may have another rule, for instance one that takes the value from the parent's mesh:
 ///   [&](Operation, const VertexChange& c) { return parent_values[c.above]; }
-/// A rule only reads: invariants ask it, by result(), what the vertex would get.
+/// A rule must only read: invariants call it, through result(), to predict the vertex's value.
 template <class T>
 class VertexAttribute final : public ValueAttribute<T> {
  public:
@@ -143,7 +143,7 @@ class VertexAttribute final : public ValueAttribute<T> {
   VertexAttribute(NodeId node, std::vector<T>& values, Rule rule = {})
       : ValueAttribute<T>(node, 0, values), rule_(std::move(rule)) {}
 
-  /// What the new or merged vertex of a split or collapse gets; may be asked before it is done.
+  /// The value that the new or merged vertex of a split or collapse gets. May be called before the operation.
   T result(Operation operation, const VertexChange& c) const {
     return rule_ ? rule_(operation, c) : interpolated(c);
   }

@@ -10,7 +10,7 @@
 
 namespace multimesh {
 
-/// What a new slot holds (Eigen's types: zeros).
+/// The initial value of a new slot (Eigen's types: zeros).
 template <class T>
 T initial_value() {
   if constexpr (requires { T::Zero(); }) {
@@ -21,7 +21,7 @@ T initial_value() {
 }
 
 // clang-format off
-/// What becomes of the values of a column in each operation. Without a function, the value stays what it is.
+/// How each operation changes the values of a column. Without a function, the value stays as it is.
 ///
 ///        b                b           b        Collapse of a into b: l-a and l-b become one edge, r-a and r-b too.
 ///       /|\              / \         /|\       Of the two values, the one that is kept is that of the edge in a
@@ -37,16 +37,16 @@ T initial_value() {
 // clang-format on
 template <class T>
 struct ColumnRules {
-  /// Collapse: of the value that is kept and the other; (1-share) and share are their parts of the merged
-  /// simplex.
+  /// Collapse: merges the value that is kept with the other; (1-share) and share are their parts of the
+  /// merged simplex.
   std::function<T(const T& kept, const T& other, double share)> merge{};
-  /// Split: of a half that is this share of the whole. At corners, see `between`.
+  /// Split: the value of a half that is this share of the whole. For corners, see `between`.
   std::function<T(const T& whole, double share)> halve{};
-  /// Swap: of a facet and the other one of the two; of the old edge (twice) for the new one.
+  /// Swap: the value of a facet, from its own and the other's; of the new edge, from the old value twice.
   std::function<T(const T& own, const T& other)> swap{};
-  /// Split: of the corner of a new vertex at (1-t) a + t b of a facet, by those at a and at b.
+  /// Split: the value of the corner at a new vertex (1-t) a + t b of a facet, from those at a and at b.
   std::function<T(const T& a, const T& b, double t)> between{};
-  /// What a new edge has that is no half of another.
+  /// The value of a new edge that is not a half of another.
   T fresh = initial_value<T>();
 
   /// Flags: the merged simplex has those of both.
@@ -59,13 +59,13 @@ struct ColumnRules {
   static ColumnRules smaller() {
     return {.merge = [](const T& x, const T& y, double) { return std::min(x, y); }};
   }
-  /// Where the merged vertex is nearer, values count more; likewise the corners of a new vertex.
+  /// Values of the end nearer to the merged vertex count more; likewise for the corners of a new vertex.
   static ColumnRules interpolate() { return {.merge = interpolated<T>, .between = interpolated<T>}; }
 };
 
 /// Values on the simplices of one dimension k > 0 of a mesh, or on its corners, that follow the operations by
-/// rules. \pre Mesh::stores(k), or Mesh::corner: an edge of a tetrahedral mesh has no index that lasts
-/// (tet::SimplexProperty has its values then). The mesh must leave the vector alone.
+/// rules. \pre Mesh::stores(k), or Mesh::corner: an edge of a tetrahedral mesh has no lasting index (use
+/// tet::SimplexProperty there). The mesh itself must not modify the vector.
 template <class T>
 class Column final : public ValueAttribute<T> {
  public:

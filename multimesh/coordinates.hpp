@@ -11,8 +11,8 @@
 
 namespace multimesh {
 
-/// Coordinates of the vertices of one mesh, in space or (the third is 0) in the plane, whatever type they are
-/// stored in; the writes are undone with a transaction.
+/// Coordinates of the vertices of one mesh, in space or in the plane (then the third is 0), whatever type
+/// they are stored in. Writes are rolled back with a transaction.
 class Coordinates {
  public:
   virtual ~Coordinates() = default;
@@ -21,8 +21,8 @@ class Coordinates {
   virtual void set(Index v, const Vec3& x) = 0;
 };
 
-/// Those of an attribute, which must outlive it. `T`: a vector of two or three components, OpenMesh's or
-/// Eigen's.
+/// Coordinates that an attribute stores; it must outlive this object. `T`: a vector of two or three
+/// components, OpenMesh's or Eigen's.
 template <class T>
 class CoordinatesOf final : public Coordinates {
  public:
@@ -46,16 +46,16 @@ class CoordinatesOf final : public Coordinates {
   VertexAttribute<T>& values_;
 };
 
-/// Coordinates of a mesh that has none of its own, seen through its map: those of a mesh above. A copy, so
-/// that they are read at once; writes go to where they come from, and come back with the operation. The
-/// attribute must be among those of the operations, after the source's. Cost: linear, once.
+/// Coordinates of a mesh that has none of its own, read through its map from a mesh above. They are cached
+/// for fast reading. A write goes to the source, and the cache is updated with the operation. This attribute
+/// must be among those of the operations, after the source's. Cost: linear, once.
 class CoordinatesFromParent final : public Coordinates {
  public:
-  /// `above`: of the parent of n.
+  /// `above`: the coordinates of the parent of n.
   CoordinatesFromParent(const MultiMesh& tree, NodeId n, Coordinates& above);
   NodeId node() const override { return node_; }
   Vec3 at(Index v) const override { return values_[v]; }
-  /// Only as a part of a relocation.
+  /// Only as part of a relocation.
   void set(Index v, const Vec3& x) override;
   Attribute& attribute() { return attribute_; }
 

@@ -8,26 +8,26 @@
 
 namespace multimesh {
 
-/// One of the places where a simplex of the root occurs in the tree.
+/// One of the places in the tree where a simplex of the root occurs.
 struct Copy {
   NodeId node = NodeId::root;
   Dart dart = no_dart;      ///< its first k+1 vertices map to those of the root's dart, in order
-  std::uint32_t above = 0;  ///< position in the list of the copy of the parent that it maps to
+  std::uint32_t above = 0;  ///< position in the list of the copy of the parent that this one maps to
 };
 
-/// All copies of a simplex of the root, parents before children, those of one node side by side.
+/// All copies of a simplex of the root, parents before children; copies in one node are contiguous.
 class Copies {
  public:
-  /// Collects the copies of the k-simplex of the root dart d. Re-uses its memory.
+  /// Collects the copies of the k-simplex of the root dart d. Reuses its memory.
   void collect(const MultiMesh& tree, Dart d, int k);
-  /// The same of the k-simplex of a dart of any mesh.
+  /// Collects those of the k-simplex of a dart of any mesh.
   void collect(const MultiMesh& tree, NodeId n, Dart d, int k) {
     collect(tree, n == NodeId::root ? d : tree.to_root(n, d), k);
   }
 
   std::span<const Copy> all() const noexcept { return list_; }
   std::span<Copy> all() noexcept { return list_; }
-  /// Those in one mesh; none in a mesh that was not there, or is not any more.
+  /// The copies in one mesh; none for a mesh that was not, or is no longer, in the tree.
   std::span<const Copy> of(NodeId n) const noexcept { return {list_.data() + first(n), count(n)}; }
   std::uint32_t first(NodeId n) const noexcept { return range(n).first; }
   std::uint32_t count(NodeId n) const noexcept { return range(n).count; }

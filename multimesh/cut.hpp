@@ -10,10 +10,10 @@
 
 namespace multimesh {
 
-/// Facets by their vertices, dimension + 1 each, side by side: \#F x (dimension + 1).
+/// Facets by their vertices, dimension + 1 each, contiguous: \#F x (dimension + 1).
 struct FacetList {
   int dimension = 2;
-  Index vertices = 0;  ///< indices are below this
+  Index vertices = 0;  ///< all indices are below this
   std::vector<Index> corners;
 
   std::size_t size() const noexcept { return corners.size() / corners_per_facet(); }
@@ -23,16 +23,16 @@ struct FacetList {
   }
 };
 
-/// \throw InputError for a facet with an index out of range or a repeated vertex; `name(f)` is how it is
-/// called
+/// \throw InputError for a facet with an index out of range or a repeated vertex; `name(f)` names the facet
+/// in the message
 void require_corners(const FacetList& facets, const std::function<std::string(std::size_t facet)>& name);
 
-/// Facets made manifold: the same ones in the same order, with vertices split where it was necessary.
+/// A facet list made manifold: the same facets in the same order, with vertices split where necessary.
 struct Cut {
   FacetList facets;
-  std::vector<Index> source;  ///< per new vertex: the one that it is a copy of
+  std::vector<Index> source;  ///< per new vertex: the original of which it is a copy
   std::vector<bool>
-      reversed;  ///< per facet: whether its first two corners were exchanged; the fewer ones of a component
+      reversed;  ///< per facet: whether its first two corners were exchanged; the minority of a component
 };
 
 struct CutOptions {
@@ -41,15 +41,15 @@ struct CutOptions {
 };
 
 /// Cuts points, edges, triangles or tetrahedra into a manifold mesh that is a proper simplicial complex. Each
-/// point becomes a vertex of its own. Triangles
-/// stay joined across edges with just two of them and are re-oriented to agree; edges with three or more,
-/// pinched vertices and places where no orientation agrees come apart. Edges stay joined at vertices with
-/// just two of them. Tetrahedra stay joined across faces with just two of them and are re-oriented to agree;
-/// vertices and edges come apart where the tetrahedra around them do not hang together by faces, and vertices
-/// whose link is neither a sphere nor a disk are parted into several. Facets with the same vertices come
-/// apart. Where no renumbering of vertices can separate two simplices with the same vertices, facets around
-/// one of them are taken out of their neighbourhood. Cost: sorting. \throw InputError for a facet that
-/// repeats a vertex, naming it
+/// point becomes a vertex of its own. Triangles stay joined across edges with exactly two of them and are
+/// re-oriented to agree; they are separated at edges with three or more, at pinched vertices, and where no
+/// orientation agrees. Edges stay joined at vertices with exactly two of them. Tetrahedra stay joined across
+/// faces with exactly two of them and are re-oriented to agree; vertices and edges are separated where the
+/// tetrahedra around them are not connected through faces, and vertices whose link is neither a sphere nor a
+/// disk are separated into several. Facets with the same vertices are separated. Where no renumbering of
+/// vertices can separate two simplices with the same vertices, facets around one of them are disconnected
+/// from their neighbours. Cost: sorting.
+/// \throw InputError naming a facet that repeats a vertex
 Cut cut(const FacetList& facets, const CutOptions& options = {});
 
 }  // namespace multimesh

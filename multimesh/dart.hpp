@@ -12,9 +12,9 @@ namespace multimesh {
 using Index = std::uint32_t;
 inline constexpr Index no_index = ~Index{0};
 
-/// A chain vertex < edge < ... < facet of one mesh; equally, an ordering (v0,...,vd) of the vertices of
-/// one facet, whose first j+1 vertices span its j-simplex. The code is opaque: each mesh type has its own.
-/// A d-simplex has (d+1)! darts: 2, 6, 24. (Codimensional MultiMeshing, section 3.)
+/// A chain vertex < edge < ... < facet of one mesh; equivalently, an ordering (v0,...,vd) of the vertices of
+/// one facet, whose first j+1 vertices span its j-simplex. The code is opaque: each mesh type has its own. A
+/// d-simplex has (d+1)! darts: 2, 6, 24. (Codimensional MultiMeshing, section 3.)
 enum class Dart : std::uint32_t { none = ~std::uint32_t{0} };
 inline constexpr Dart no_dart = Dart::none;
 
@@ -22,15 +22,15 @@ constexpr std::uint32_t code(Dart d) noexcept {
   return static_cast<std::uint32_t>(d);
 }
 
-/// The stored pair of a containment map, one per child facet: with own = (v0,...,vk), the map takes
-/// v0,...,vk to the first k+1 vertices of `parent`.
+/// The stored pair of a containment map, one per child facet. With own = (v0,...,vk), the map takes v0,...,vk
+/// to the first k+1 vertices of `parent`.
 struct Anchor {
   Dart own = no_dart;
   Dart parent = no_dart;
   friend bool operator==(const Anchor&, const Anchor&) = default;
 };
 
-/// A buffer that the caller keeps, so that a query in a hot loop allocates nothing in the steady state.
+/// A buffer owned by the caller, so that a query in a hot loop allocates nothing in the steady state.
 using DartBuffer = std::vector<Dart>;
 
 /// The ends of an edge dart (a, b, ...): a is its vertex.

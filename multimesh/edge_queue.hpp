@@ -15,9 +15,9 @@ namespace multimesh {
 /// A priority queue of edges, lowest cost first, ties by index (so that runs are reproducible). Lazy: a new
 /// cost supersedes the old entry, which stays in the queue and is skipped when it comes up.
 ///
-/// Only the entries up to a boundary are a heap, small enough for the cache; the others wait unsorted until
-/// the heap is empty, when about a sixteenth of them is taken. Cost of an entry, amortized: sixteen reads in
-/// sequence and its part in the small heap. (One heap of all misses the cache at each of its levels.)
+/// Only the entries up to a boundary form a heap, small enough for the cache. The others wait unsorted until
+/// the heap is empty; then about a sixteenth is moved into it. Amortized cost of an entry: sixteen sequential
+/// reads and a part of the small heap. (One heap of all misses the cache at each level.)
 class EdgeQueue {
  public:
   struct Entry {
@@ -26,7 +26,7 @@ class EdgeQueue {
     std::uint32_t stamp;
   };
 
-  /// Room for edges up to this index, without a later allocation of stamps.
+  /// Reserves room for edges up to this index, so that stamps need no later allocation.
   void reserve(std::size_t edges) {
     stamps_.resize(std::max(edges, stamps_.size()), 0);
     far_.reserve(2 * edges);
@@ -47,7 +47,7 @@ class EdgeQueue {
     if (edge < stamps_.size()) ++stamps_[edge];
   }
 
-  /// Takes the edge of least cost; false if there is none. The caller checks that the edge is still alive.
+  /// Pops the edge of least cost; false if there is none. The caller checks that the edge is still alive.
   bool pop(Entry& least) {
     for (;;) {
       while (!near_.empty()) {
@@ -76,7 +76,7 @@ class EdgeQueue {
     std::make_heap(near_.begin(), near_.end(), later);
   }
 
-  /// An entry that about 15/16 of the far ones come after, by a sample; the last one if they are few.
+  /// An entry above about 1/16 of the far ones, estimated by a sample; the last one if they are few.
   Entry next_boundary() {
     const auto earlier = [](const Entry& x, const Entry& y) { return later(y, x); };
     if (far_.size() <= 4096) return *std::max_element(far_.begin(), far_.end(), earlier);
@@ -86,11 +86,11 @@ class EdgeQueue {
     return sample[sample.size() / 16];
   }
 
-  // All of near_ are at most boundary_, all of far_ come after it.
+  // All of near_ are at most boundary_, all of far_ are above it.
   std::vector<Entry> near_, far_;
   Entry boundary_{-std::numeric_limits<double>::infinity(), 0, 0};
   std::vector<std::uint32_t> stamps_;
-  std::minstd_rand random_;  // of a fixed seed
+  std::minstd_rand random_;  // with a fixed seed
 };
 
 }  // namespace multimesh

@@ -11,23 +11,23 @@
 
 namespace multimesh {
 
-/// A tree of meshes with all that an algorithm needs to work on any mesh of it: which values are coordinates
-/// and of what kind, what else follows the operations, and what no operation may break. Domains hold one;
-/// an algorithm works on an EmbeddedMesh.
+/// A tree of meshes with everything that an algorithm needs to work on any mesh of it: which values are
+/// coordinates and of what kind, what else follows the operations, and which invariants they must keep. Each
+/// domain holds one; an algorithm works on an EmbeddedMesh.
 class Embedding {
  public:
   enum class Kind {
     space,  ///< where the vertices are
-    chart,  ///< a place in the plane, as texture coordinates; triangles there may not turn over
+    chart,  ///< a place in the plane, as texture coordinates; triangles there must not flip
   };
 
   explicit Embedding(MultiMesh& tree) : operations_(tree) {}
-  /// What follows these operations already, and stands in their way, belongs to it.
+  /// Attributes and invariants that are already in `operations` belong to the embedding.
   explicit Embedding(const Propagation& operations) : operations_(operations) {}
 
   const MultiMesh& tree() const noexcept { return operations_.tree(); }
 
-  /// An attribute or an invariant, which is owned.
+  /// Adds an attribute or an invariant, and owns it.
   template <class T, class... Arguments>
   T& add(Arguments&&... arguments) {
     auto owned = std::make_shared<T>(std::forward<Arguments>(arguments)...);
@@ -35,12 +35,12 @@ class Embedding {
     owned_.push_back(owned);
     return *owned;
   }
-  /// One that is not, and must outlive it.
+  /// Adds one that is not owned; it must outlive the embedding.
   void add(Attribute& a) { operations_.add(a); }
   void add(Invariant& i) { operations_.add(i); }
   void set(const LegalityOptions& o) { operations_.set(o); }
 
-  /// The coordinates that an attribute has, which follows the operations already.
+  /// Declares the values of an attribute, which already follows the operations, to be coordinates.
   template <class T>
   Coordinates& add_coordinates(VertexAttribute<T>& values, Kind kind) {
     coordinates_.push_back({std::make_unique<CoordinatesOf<T>>(values), kind});
@@ -60,10 +60,10 @@ class Embedding {
   std::vector<Known> coordinates_;
 };
 
-/// One mesh of an embedding while an algorithm runs on it: operations that carry all that the embedding has,
-/// and its coordinates in space, those of the nearest mesh above if it has none of its own. The embedding
-/// must outlive it, and be added to no more; the tree may be changed by others in between, if the vertices of
-/// this mesh keep their places.
+/// One mesh of an embedding during a run of an algorithm: operations that carry everything the embedding has,
+/// and coordinates of the mesh in space, taken from the nearest mesh above if it has none of its own. The
+/// embedding must outlive this object, and nothing may be added to it. Other code may change the tree in
+/// between if the vertices of this mesh keep their places.
 class EmbeddedMesh {
  public:
   /// \throw UsageError if there are no coordinates in space. Cost: linear, if they are those of a mesh above
@@ -74,9 +74,9 @@ class EmbeddedMesh {
   const Mesh& mesh() const noexcept { return mesh_; }
   Propagation& operations() noexcept { return operations_; }
   Coordinates& positions() const noexcept { return *positions_; }
-  /// What its operations carry besides what the embedding has: positions that come from above.
+  /// Attributes of its operations that the embedding does not have: positions taken from above.
   std::vector<Attribute*> inherited() const;
-  /// Of the meshes of this dimension below it.
+  /// The charts of the meshes of this dimension below it.
   std::span<Coordinates* const> charts() const noexcept { return charts_; }
 
  private:

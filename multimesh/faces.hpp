@@ -11,8 +11,8 @@ namespace multimesh {
 
 namespace detail {
 
-/// The permutations that keep positions 0..k and bring each choice of j-k of the positions k+1..d to
-/// k+1..j: applied to a dart of a d-facet, they give its j-faces around the k-simplex, each once.
+/// The permutations that keep positions 0..k and bring each choice of j-k of the positions k+1..d to k+1..j.
+/// Applied to a dart of a d-facet, they give its j-faces around the k-simplex, each once.
 struct FaceList {
   std::array<Permutation, 6> permutations{};
   std::size_t size = 0;
@@ -50,8 +50,8 @@ inline constexpr auto all_faces = make_all_faces();
 
 }  // namespace detail
 
-/// Re-orderings of a d-facet's dart that give each j-face (0 <= j <= d) which contains the k-simplex of the
-/// dart exactly once, as the first j+1 vertices; the first k+1 stay. k = -1: all j-faces of the facet.
+/// Reorderings of a d-facet's dart that give each j-face (0 <= j <= d) containing the k-simplex of the dart
+/// exactly once, as the first j+1 vertices; the first k+1 stay. k = -1: all j-faces of the facet.
 constexpr std::span<const Permutation> faces_around(int d, int j, int k) {
   const auto& list = detail::all_faces[static_cast<std::size_t>(d)][static_cast<std::size_t>(j)]
                                       [static_cast<std::size_t>(k + 1)];

@@ -9,11 +9,11 @@
 
 namespace multimesh {
 
-/// A predicate on an operation. If it fails before, nothing was touched; if it fails after, everything is
-/// rolled back. Ask before, on the predicted star, where that is possible: it is cheaper.
+/// A predicate on an operation. If it fails before, nothing has been touched; if it fails after, everything
+/// is rolled back. Prefer to decide before, on the predicted star, where possible: it is cheaper.
 class Invariant {
  public:
-  /// `node`: the mesh that it is about, as refusals name it.
+  /// `node`: the mesh that refusals name.
   explicit Invariant(std::string name, NodeId node = NodeId::root) : name_(std::move(name)), node_(node) {}
   virtual ~Invariant() = default;
   Invariant(const Invariant&) = delete;

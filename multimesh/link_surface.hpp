@@ -8,16 +8,16 @@
 
 namespace multimesh {
 
-/// A triangle of the link of a vertex: a tetrahedron seen from there.
+/// A triangle of the link of a vertex: one tetrahedron as seen from the vertex.
 struct LinkTriangle {
   std::array<Index, 3> vertices{};
   /// Over the edge opposite vertex i: the tetrahedron's side, and the triangle beyond or no_index.
   std::array<Index, 3> sides{}, across{};
 };
 
-/// Of a link that is a connected surface, without pinches, but neither a sphere nor a disk: sides at which to
-/// part it so that it falls into simpler surfaces. They are few: two short paths between two of its rims, or,
-/// if it has fewer, the edge of a disk.
+/// For a link that is a connected surface, without pinches, but neither a sphere nor a disk: sides at which
+/// to part it so that it falls into simpler surfaces. They are few: two short paths between two of its rims,
+/// or, if it has fewer rims, the edge of a disk.
 std::vector<Index> sides_to_part(const std::vector<LinkTriangle>& link);
 
 }  // namespace multimesh

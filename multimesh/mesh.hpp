@@ -13,8 +13,8 @@
 
 namespace multimesh {
 
-/// What an edge split did: e = (a,b) got the new vertex c in its interior, and every facet that contained
-/// e was replaced by two. Filled by Mesh::split_edge; buffers are re-used.
+/// What an edge split did: e = (a,b) got the new vertex c in its interior, and every facet that contained e
+/// was replaced by two. Filled by Mesh::split_edge; buffers are reused.
 ///
 ///        b              b          `old` is the facet before, `at_b` and `at_a` its halves after;
 ///       /|\            /|\         one of them has the index of `old`.
@@ -33,8 +33,8 @@ struct SplitRecord {
   std::vector<std::uint32_t> words;  ///< the mesh's own notes for after_split
 };
 
-/// What an edge collapse did: a was merged into b, the facets that contained (a,b) died. Filled by
-/// Mesh::collapse_edge; buffers are re-used.
+/// What an edge collapse did: a was merged into b, and the facets that contained (a,b) died. Filled by
+/// Mesh::collapse_edge; buffers are reused.
 ///
 ///        b                b        Facets around a now have b instead; l-a and l-b are one edge, r-a and
 ///       /|\              / \       r-b too. Indices of surviving facets stay; `renamed` of them have darts
@@ -49,14 +49,14 @@ struct CollapseRecord {
   std::vector<std::uint32_t> words;            ///< the mesh's own notes for after_collapse
 };
 
-/// How values on simplices that a collapse of (a,b) makes one of two are chosen: for each x of the link of
-/// the edge, those of a-x and b-x; in dimension 3 also those of a-x-y and b-x-y.
+/// Chooses which values are kept where a collapse of (a,b) makes one simplex of two: a-x and b-x for each x
+/// of the link of the edge; in dimension 3 also a-x-y and b-x-y.
 struct Merging {
-  /// Where the merged vertex goes: the point (1-t) a + t b.
+  /// The position of the merged vertex: the point (1-t) a + t b.
   double t = 1;
-  /// Those at b stay, with or without a value: a is a vertex that this very operation had put in.
+  /// Keep those at b, with or without a value: a is a vertex that this same operation inserted.
   bool keep_b = false;
-  /// The x, and x-y, where those at a go before those at b: a mesh below has a-x, and not b-x.
+  /// Each x, or x-y, where the values at a take precedence: a mesh below contains a-x, and not b-x.
   std::vector<std::array<Index, 2>> a_wins;  // sorted vertices; no_index second: an edge
 
   static std::array<Index, 2> key(Index x, Index y) { return {std::min(x, y), std::max(x, y)}; }
@@ -70,13 +70,13 @@ struct Merging {
   }
 };
 
-/// Which facets an edge collapse would touch: one dart per facet, before the operation.
+/// The facets that an edge collapse would touch: one dart per facet, before the operation.
 struct CollapseRegion {
   DartBuffer dead;     ///< facets that contain the edge; darts (a, b, ...)
   DartBuffer renamed;  ///< surviving facets in which some dart code will change
 };
 
-/// Old to new indices, after compaction; no_index for what was dead. Codes of darts move in blocks of
+/// Old to new indices, after compaction; no_index for dead elements. Codes of darts move in blocks of
 /// 2^block_bits.
 struct Compaction {
   std::vector<std::vector<Index>> simplices;  ///< [k][old index]
@@ -91,15 +91,15 @@ struct Compaction {
   }
 };
 
-/// A pure, facet-manifold simplicial mesh of dimension 0..3 as the core sees it: a proper simplicial
-/// complex (a simplex is determined by its vertex set) with darts, local operations, a journal for exact
-/// undo, and room for anchors. Only the adapter behind it knows the data structure. Indices name simplices
-/// until the mesh is compacted; those of simplices without storage (edges and faces of a tetrahedral mesh),
-/// until an operation touches their star.
+/// A pure, facet-manifold simplicial mesh of dimension 0..3 as the core sees it: a proper simplicial complex
+/// (a simplex is determined by its vertex set) with darts, local operations, a journal for exact undo, and
+/// storage for anchors. Only the adapter behind it knows the data structure. Indices name simplices until the
+/// mesh is compacted; those of simplices without storage (edges and faces of a tetrahedral mesh), until an
+/// operation touches their star.
 ///
 /// Calls are coarse: one per neighbourhood or operation. Writes go through a journal: everything since a
-/// mark() can be rolled back exactly, element counts included. Not thread-safe. A dead or foreign dart is
-/// a caller's bug and is not checked here, but where darts enter the tree (MultiMesh).
+/// mark() can be rolled back exactly, element counts included. Not thread-safe. A dead or foreign dart is a
+/// caller's bug; it is not checked here, but where darts enter the tree (MultiMesh).
 class Mesh {
  public:
   using Mark = std::size_t;
@@ -124,9 +124,9 @@ class Mesh {
   /// Whether the k-simplices of two darts are the same one.
   virtual bool same_simplex(Dart d, Dart e, int k) const { return simplex(d, k) == simplex(e, k); }
 
-  /// Whether the index of a k-simplex lasts until it dies, so that values can be stored by it.
+  /// Whether the index of a k-simplex is stable until it dies, so that values can be stored by it.
   virtual bool stores(int k) const { return dimension_ < 3 || k == 0 || k == dimension_; }
-  /// The corner of the facet of d at the vertex of d, for values that are stored by corners; no_index if the
+  /// The corner of the facet of d at the vertex of d, for values that are stored by corner; no_index if the
   /// mesh stores none.
   virtual Index corner(Dart) const { return no_index; }
   virtual Index corner_capacity() const { return 0; }
@@ -141,7 +141,7 @@ class Mesh {
   virtual bool is_boundary(Dart d, int k) const = 0;
 
   // --- locks: marks on vertices that keep their place and are not merged away (docs/concepts.md, "Points and
-  // locks"). A mesh that stores none has none.
+  // locks"). A mesh that stores no locks has none.
   virtual bool is_locked(Index /*vertex*/) const { return false; }
   /// Not journaled: outside of transactions. \throw UsageError if the mesh stores no locks
   virtual void set_locked(Index vertex, bool on);
@@ -155,28 +155,28 @@ class Mesh {
   virtual void collapse_region(Dart e, CollapseRegion& region) const = 0;
   /// The dart of an old facet that contained e=(a,b), in the half at `end`, with c in place of the other end.
   virtual Dart after_split(const SplitRecord& record, Dart old, End end) const = 0;
-  /// The dart that an old dart became, with b for a. For one of a dead facet: the same ordering of the
-  /// simplices that survive, in the facet that now contains them. The first k+1 vertices of such a dart,
-  /// for the k that is meant, may not contain both a and b.
+  /// The dart that an old dart became, with b for a. For a dart of a dead facet: the same ordering of the
+  /// surviving simplices, in the facet that now contains them. The first k+1 vertices of such a dart, for the
+  /// k in question, may not contain both a and b.
   virtual Dart after_collapse(const CollapseRecord& record, Dart old) const = 0;
   /// Whether flip_edge is possible: dimension 2, e interior, and the other diagonal not an edge yet.
   virtual bool can_flip(Dart) const { return false; }
   /// Replaces e=(a,b) by (l,r). The darts on the four outer edges keep their codes. \pre can_flip(e)
   virtual void flip_edge(Dart) {}
 
-  // --- values that the mesh itself keeps; others are attributes
-  /// Whether there are some on k-simplices, 0 < k < dimension.
+  // --- values that the mesh itself stores; all others are attributes
+  /// Whether the mesh stores values on k-simplices, 0 < k < dimension.
   virtual bool has_values(int /*k*/) const { return false; }
-  /// Before collapse_edge(e): of the values on simplices that will be one, those that the merged one keeps
-  /// are put where it finds them. Journaled.
+  /// Call before collapse_edge(e). Where two simplices will become one, moves the values to keep to where the
+  /// merged simplex finds them. Journaled.
   virtual void merge_values(Dart /*e*/, const Merging&) {}
 
   // --- journal
   virtual Mark mark() const = 0;
   virtual void rollback(Mark mark) = 0;  ///< undo everything since; exact
   virtual void forget() = 0;             ///< nothing before this call can be undone any more
-  /// Saves all properties of a k-simplex, of whatever type, so that a rollback restores them: for callbacks
-  /// that write properties which no Attribute manages.
+  /// Saves all properties of a k-simplex, of any type, so that a rollback restores them: for callbacks that
+  /// write properties not managed by any Attribute.
   virtual void protect(int k, Index s) = 0;
 
   // --- containment maps: anchors towards the parent, links towards the children; writes are journaled
@@ -190,33 +190,33 @@ class Mesh {
   virtual Index link(LinkSet links, Dart d) const = 0;
   virtual void set_link(LinkSet links, Dart d, Index child_facet) = 0;
   /// Whether a j-simplex around the k-simplex of d, k < j, has a facet of a child over it; j is the dimension
-  /// of the link set. One call per star: adapters may know a faster way than this one.
+  /// of the link set. One call per star; adapters may override it with a faster search.
   virtual bool has_link_around(LinkSet links, int j, Dart d, int k) const;
-  /// False where it is certain, at a glance, that no j-simplex around the k-simplex of d has a link, or no
-  /// face of its facet, respectively: spares a look at all of them.
+  /// A cheap filter. False only if it is certain that no j-simplex around the k-simplex of d has a link, or
+  /// no face of its facet, respectively; then they need not be searched.
   virtual bool may_have_link_around(LinkSet, Dart, int) const { return true; }
   virtual bool may_have_link_in_facet(LinkSet, Dart) const { return true; }
 
   // --- maintenance
-  /// Removes dead elements for good; properties and status bits move along. \pre the journal is empty
+  /// Removes dead elements permanently; properties and status bits move along. \pre the journal is empty
   virtual Compaction compact() = 0;
-  /// Re-labels link values after the child was compacted.
+  /// Relabels link values after the child was compacted.
   virtual void remap_links(LinkSet links, const std::vector<Index>& child_facets) = 0;
-  /// Appends a sentence for everything that is wrong with the connectivity.
+  /// Appends one sentence for each error in the connectivity.
   virtual void check(std::vector<std::string>& problems) const = 0;
 
-  // --- edits by others: only of a mesh that others can reach, which is then watched
+  // --- edits by other code: only for a mesh that other code can reach, which is then watched
   bool is_watched() const noexcept { return watched_; }
-  /// Whether there are as many elements as the calls above have left. Cost: constant
+  /// Whether the numbers of elements are those that the calls above have left. Cost: constant
   virtual bool same_counts() const { return true; }
-  /// Whether the star of a vertex is as they have left it. Cost: that of the star
+  /// Whether the star of a vertex is as the calls above have left it. Cost: that of the star
   virtual bool star_in_step(Index) const { return true; }
   /// The first vertex whose star is not; nothing if the whole mesh is in step. Cost: linear
   virtual std::optional<Index> first_out_of_step() const { return std::nullopt; }
-  /// Where the elements have gone that others have given new indices, as from compact(); nothing if the mesh
-  /// is not watched.
+  /// Where other code has moved elements by giving them new indices, in the form of compact(); nothing if the
+  /// mesh is not watched.
   virtual std::optional<Compaction> renumbering() const { return std::nullopt; }
-  /// From now on the connectivity as it is counts as ours. \pre the journal is empty
+  /// Accepts the current connectivity as ours. \pre the journal is empty
   virtual void accept_edits() {}
 
  protected:
@@ -229,8 +229,8 @@ class Mesh {
   mutable DartBuffer star_;
 };
 
-/// Appends a sentence for every two k-simplices with the same vertices: in a proper simplicial complex there
-/// are none. Cost: sorting.
+/// Appends one sentence for every two k-simplices with the same vertices; a proper simplicial complex has
+/// none. Cost: sorting.
 void check_simplices_differ(const Mesh& mesh, int k, std::vector<std::string>& problems);
 
 /// One dart (v, x, ..) per edge at the vertex of a surface's dart. `edges` is overwritten. Cost: that of the

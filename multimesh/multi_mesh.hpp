@@ -20,10 +20,10 @@ constexpr std::uint32_t index(NodeId n) noexcept {
   return static_cast<std::uint32_t>(n);
 }
 
-/// A tree of meshes joined by containment maps: each child facet has an anchor, a dart of its own paired
-/// with a dart of its parent, from which the map child -> parent follows by equal switches on both sides.
-/// The map is simplicial, keeps dimensions, and is injective on facets: a parent simplex has at most one
-/// facet of each child over it, but its lower faces may have several preimages (a seam edge has two).
+/// A tree of meshes joined by containment maps. Each child facet has an anchor, a dart of its own paired with
+/// a dart of its parent, from which the map child -> parent follows by equal switches on both sides. The map
+/// is simplicial, preserves dimension, and is injective on facets: a parent simplex has at most one facet of
+/// each child over it, but its lower faces may have several preimages (a seam edge has two).
 ///
 ///                 root            operations: multimesh/operations.hpp
 ///                /    \           construction: multimesh/build.hpp
@@ -43,9 +43,9 @@ class MultiMesh {
   // --- the tree
   /// Adds a mesh below `parent`. `anchors`: one per facet slot of the child, ignored for dead slots.
   /// \throw InputError if an anchor is missing, dead, not dimension-preserving or not injective on facets;
-  ///        the tree is unchanged then. Cost: linear in the child.
+  /// the tree is unchanged then. Cost: linear in the child.
   NodeId add_child(NodeId parent, std::unique_ptr<Mesh> child, std::span<const Anchor> anchors);
-  /// Takes a child and everything below it out of this tree; it becomes the root of its own.
+  /// Removes a child and everything below it from this tree; the child becomes the root of the returned tree.
   MultiMesh detach(NodeId child);
 
   const Mesh& mesh(NodeId n) const { return *node(n).mesh; }
@@ -66,9 +66,9 @@ class MultiMesh {
   int depth(NodeId n) const;
   NodeId lowest_common_ancestor(NodeId a, NodeId b) const;
 
-  // --- the containment map of one child. All of these throw UsageError for a node that is not in the tree,
-  // the root where a child is meant, a dart that is not alive in its mesh, and a dimension that the mesh has
-  // not.
+  // --- the containment map of one child. These throw UsageError for a node that is not in the tree, for the
+  // root where a child is expected, for a dart that is not alive in its mesh, and for a dimension that the
+  // mesh does not have.
   Anchor anchor(NodeId child, Index facet) const;
   /// The facet of `child` over the parent simplex of the child's dimension at d, or no_index.
   Index facet_over(NodeId child, Dart d) const;
@@ -97,30 +97,30 @@ class MultiMesh {
   bool has_preimage(NodeId from, Dart d, int k, NodeId descendant) const;
 
   // --- maintenance
-  /// Removes dead elements of all meshes; anchors follow. \return what moved where, by node index.
+  /// Removes dead elements of all meshes; anchors follow. \return the renumbering, by node index.
   /// \throw UsageError inside a transaction. Invalidates all darts and indices that the caller holds.
   std::vector<Compaction> compact();
 
   /// \throw UsageError unless d is a dart of a live facet of n
   void require_dart(NodeId n, Dart d) const;
-  /// \throw UsageError in the middle of an operation: `what` cannot be done by an invariant, an attribute or
-  /// a hook
+  /// \throw UsageError in the middle of an operation: an invariant, an attribute or a hook cannot do
+  /// `what`
   void require_idle(std::string_view what) const;
   /// \throw UsageError in the middle of an operation, and inside a transaction
   void require_closed(std::string_view what) const;
 
-  // --- edits by others, of meshes that they can reach (attached OpenMesh meshes)
-  /// Operations ask by themselves, before they touch anything, whether elements were added or removed
-  /// anywhere and whether the stars that they read are as they were left. This asks everywhere. \throw
-  /// OutOfStepError naming the mesh and a vertex. Cost: linear
+  // --- edits by other code, of meshes that it can reach (attached OpenMesh meshes)
+  /// Checks all meshes. (Before they change anything, operations check by themselves only whether elements
+  /// were added or removed anywhere, and whether the stars that they read are as they were left.)
+  /// \throw OutOfStepError naming the mesh and a vertex. Cost: linear
   void require_in_step() const;
-  /// Follows edits that others have made since: elements that were given new indices by a garbage collection,
-  /// and any others after which every map is still a containment map (new faces; changes where no child is).
-  /// \return what moved where, by node index, as from compact(); empty for meshes with nothing to follow
-  /// \throw OutOfStepError if a map is lost, saying where; then only detach() helps, and making the children
-  /// anew.
-  ///        UsageError inside a transaction. Cost: that of validate(). Invalidates all darts and indices that
-  ///        the caller holds.
+  /// Follows edits that other code has made: elements to which a garbage collection gave new indices, and
+  /// any other edits after which every map is still a containment map (new faces; changes where no child
+  /// is).
+  /// \return the renumbering, by node index, as from compact(); empty for meshes with nothing to follow
+  /// \throw OutOfStepError if a map is lost, saying where; then only detach() helps, followed by making the
+  /// children anew. UsageError inside a transaction. Cost: that of validate(). Invalidates all darts and
+  /// indices that the caller holds.
   std::vector<Compaction> resync();
 
  private:
@@ -148,12 +148,12 @@ class MultiMesh {
     return nodes_[index(n)];
   }
   Node& node(NodeId n) { return const_cast<Node&>(std::as_const(*this).node(n)); }
-  // What asks inside of operations, of darts that are known to be alive.
+  // Queries from inside operations, for darts that are known to be alive.
   Dart image(NodeId child, Dart d) const;
   void preimages(NodeId child, Dart d, int k, DartBuffer& out) const;
   void preimages_below(NodeId from, Dart d, int k, NodeId descendant, DartBuffer& out) const;
   bool is_covered(NodeId from, Dart d, int k, NodeId descendant) const;
-  // What is not alive cannot be walked from. Whether others have edited the mesh is not asked here.
+  // A walk must not start from a dead dart. This does not check for edits by other code.
   void require_live(NodeId n, Dart d) const {
     if (!mesh(n).is_dart(d)) [[unlikely]]
       refuse_dart(n, d);
@@ -172,7 +172,7 @@ class MultiMesh {
     const Node& c = nodes_[index(child)];
     return nodes_[index(c.parent)].mesh->link(c.links, d);
   }
-  /// Whether facets of the child may lie over faces of the parent's facet at d; a cheap look.
+  /// Whether facets of the child may lie over faces of the parent's facet at d; a cheap filter.
   bool may_have_links(NodeId child, Dart d) const {
     const Node& c = nodes_[index(child)];
     return nodes_[index(c.parent)].mesh->may_have_link_in_facet(c.links, d);
@@ -185,14 +185,14 @@ class MultiMesh {
   std::vector<Node> nodes_;       // by NodeId; a removed node has no mesh
   std::vector<NodeId> top_down_;  // live nodes, parents first
   int open_transactions_ = 0;
-  std::size_t renumberings_ = 0;  // by compact() and resync(), where anything moved
+  std::size_t renumberings_ = 0;  // by compact() and resync(), counted where anything moved
   bool operating_ = false;        // inside an operation of a Propagation
   std::string lost_;              // what resync() could not follow
   mutable DartBuffer star_;
 };
 
-/// MultiMesh::facet_copy() for loops: what the tree is asked is looked up once, and darts are not checked.
-/// Valid as long as the child stays in the tree.
+/// MultiMesh::facet_copy() for loops: the lookup in the tree is done once, and darts are not checked. Valid
+/// as long as the child stays in the tree.
 class FacetCopies {
  public:
   FacetCopies(const MultiMesh& tree, NodeId child);

@@ -12,17 +12,17 @@
 
 namespace multimesh {
 
-/// Done, or refused with the reason. A refused operation has left everything as it was, indices included.
+/// Done, or refused with the reason. A refused operation leaves everything as it was, indices included.
 struct [[nodiscard]] Outcome {
   Refusal refusal;
-  /// In the mesh where the operation was asked for, after it. Split: (a, c, x, ..) for e = (a, b, x, ..).
+  /// In the mesh where the operation was requested, after it. Split: (a, c, x, ..) for e = (a, b, x, ..).
   /// Collapse: a dart at the merged vertex. Swap: (l, r, ...), in dimension 3 a dart at x. Relocation: the
-  /// dart given. no_dart if refused.
+  /// given dart. no_dart if refused.
   Dart dart = no_dart;
   /// The same in the root.
   Dart root = no_dart;
-  /// What changed in the root: every facet there that is new, or has another vertex or place than before, is
-  /// one around the simplex of this dart that has the dimension `changed_dimension`, 0 or 1. Split: the new
+  /// What changed in the root. Every facet there that is new, or whose vertices or their places changed,
+  /// contains the simplex of this dart that has the dimension `changed_dimension`, 0 or 1. Split: the new
   /// vertex; collapse: the merged one; relocation: the one that moved; swap: the new edge, or a vertex of it.
   Dart changed = no_dart;
   int changed_dimension = 0;
@@ -30,7 +30,7 @@ struct [[nodiscard]] Outcome {
   explicit operator bool() const noexcept { return !refusal.refused(); }
 };
 
-/// How often each answer was given.
+/// How often each result occurred.
 struct Statistics {
   std::size_t tried = 0, done = 0;
   std::array<std::size_t, 8> refused{};  ///< by Check
@@ -40,11 +40,11 @@ struct Statistics {
 
 /// Where the merged vertex of a collapse goes on the edge a-b.
 struct Placement {
-  /// The wanted point (1-t) a + t b.
+  /// The requested point (1-t) a + t b.
   double t = 0.5;
-  /// What happens if the maps hold an end that is not the wanted one: go there (false) or refuse (true).
+  /// If the maps hold an end that is not the requested one: go there (false) or refuse (true).
   bool strict = false;
-  /// Go to the end that lies in a boundary or ends a curve in some mesh, if just one of them does.
+  /// Go to the end that lies in a boundary or ends a curve in some mesh, if exactly one of them does.
   bool respect_strata = true;
 
   static constexpr Placement at(double t) noexcept { return {t, false, true}; }
@@ -52,16 +52,16 @@ struct Placement {
   static constexpr Placement keep_b() noexcept { return {1, true, false}; }
 };
 
-/// The local operations on a tree of meshes. Asked for on an edge of any mesh, an operation is extended to
-/// the root and restricted to all meshes; all maps stay valid, or nothing changes.
+/// The local operations on a tree of meshes. An operation that is requested on an edge of any mesh is
+/// extended to the root and restricted to all meshes; all maps stay valid, or nothing changes.
 ///
-/// Attributes and invariants are those of the algorithm that uses it; they are not owned and must outlive
-/// it. Those of a mesh that was detached are not asked any more. An exception thrown by one of them leaves
-/// everything as it was before the operation. They may read, ask the maps, and write by ValueAttribute::set;
-/// everything else here, transactions, and changes of the tree are a UsageError until the operation has
-/// returned, by whatever Propagation of this tree. Cost per operation: that of the stars of the edge's
-/// copies; buffers are re-used, but queries over two or more levels of the tree allocate. Source:
-/// Codimensional MultiMeshing, section 4; legality beyond it: docs/concepts.md, "When a collapse is legal".
+/// Attributes and invariants belong to the algorithm that uses this object; they are not owned and must
+/// outlive it. Those of a detached mesh are no longer called. If one of them throws, everything is left as it
+/// was before the operation. They may read, query the maps, and write by ValueAttribute::set. Everything else
+/// here, transactions, and changes of the tree are a UsageError until the operation has returned, through any
+/// Propagation of this tree. Cost per operation: that of the stars of the edge's copies; buffers are reused,
+/// but queries over two or more levels of the tree allocate. Source: Codimensional MultiMeshing, section 4;
+/// legality beyond it: docs/concepts.md, "When a collapse is legal".
 class Propagation {
  public:
   explicit Propagation(MultiMesh& tree) : tree_(tree), renumberings_(tree.renumberings_) {}
@@ -71,26 +71,26 @@ class Propagation {
   /// \throw UsageError inside a transaction
   Propagation& add(Invariant& i);
   Propagation& set(LegalityOptions o);
-  /// Whether operations save all properties, of whatever type, of the simplices around both ends of the edge
-  /// first: only needed if attributes' rules or invariants write properties that no Attribute manages, and
+  /// Whether operations first save all properties, of any type, of the simplices around both ends of the
+  /// edge. Only needed if rules of attributes or invariants write properties that no Attribute manages, and
   /// those must be undone too. Costs a copy of each.
   Propagation& protect_properties(bool on) { return protect_properties_ = on, *this; }
 
-  /// Splits the edge of (a, b, ...) at (1-t) a + t b. Legal always.
+  /// Splits the edge of (a, b, ...) at (1-t) a + t b. Always legal.
   /// \post every facet over the edge became two; new facets and the new edge have their old one's properties
   Outcome split(NodeId n, Dart e, double t = 0.5);
 
   /// Collapses the edge of (a, b, ...) in every mesh where it has a copy.
   /// \post one vertex and one edge fewer per copy; the merged vertex keeps index and properties of the end
-  ///       that holds its place, else of b
+  /// whose place it takes, else of b
   Outcome collapse(NodeId n, Dart e, Placement placement = {});
 
-  /// Collapses, with the placement chosen once legality has said which end must be held (0, 1 or none).
+  /// Collapses, with a placement chosen after legality has said which end must be held (0, 1 or none).
   using Chooser = std::function<double(const Event&, std::optional<double> held)>;
   Outcome collapse(NodeId n, Dart e, const Chooser& choose);
 
-  /// Swaps the edge of e = (a,b,x,..), interior in every mesh of dimension 2 or more that has it, and in no
-  /// other: the facets around it are replaced by those that join x to the rest of their rim.
+  /// Swaps the edge of e = (a,b,x,..). It must be interior in every mesh of dimension 2 or more that has it,
+  /// and in no other mesh. The facets around it are replaced by those that join x to the rest of their rim.
   ///
   // clang-format off
   ///        b               b
@@ -103,10 +103,10 @@ class Propagation {
   // clang-format on
   ///
   /// Equals a split at c and the collapse of c into x. Where the edge lies on a surface inside a tetrahedral
-  /// mesh, x must be one of its two apexes there. Asked for in such a surface, the edge may also lie in the
-  /// boundary of the tetrahedra, of which the two facets of the surface are a part.
+  /// mesh, x must be one of its two apexes there. If requested in such a surface, the edge may also lie in
+  /// the boundary of the tetrahedra, provided that the two facets of the surface are part of that boundary.
   Outcome swap(NodeId n, Dart e);
-  /// The same by split and collapse in one transaction; the reference that swap() is tested against.
+  /// The same by split and collapse in one transaction; the reference against which swap() is tested.
   Outcome swap_by_split_and_collapse(NodeId n, Dart e);
 
   /// Swaps the face of f = (x,y,z,w) in a mesh of dimension 3: (x,y,z,w) and (x,y,z,v) beyond it become the
@@ -114,37 +114,37 @@ class Propagation {
   /// Inverse: swap of w-v. Outcome: (w, v, ..).
   Outcome swap_face(NodeId n, Dart f);
 
-  /// Puts a new vertex into the barycentre of the k-simplex of d, k = 1..3, and joins it to the simplices
-  /// around: of a face, (x,y,z) -> (m,x,y), (m,y,z), (m,z,x). By splits and collapses, as one transaction.
-  /// Legal always; invariants are asked at each step. Inverse: collapse of the new vertex into one of its own
-  /// corners. Outcome: a dart at the new vertex.
+  /// Inserts a new vertex at the barycentre of the k-simplex of d, k = 1..3, and joins it to the simplices
+  /// around: for a face, (x,y,z) -> (m,x,y), (m,y,z), (m,z,x). By splits and collapses, in one transaction.
+  /// Always legal; invariants are checked at each step. Inverse: collapse of the new vertex into one of its
+  /// own corners. Outcome: a dart at the new vertex.
   Outcome split_simplex(NodeId n, Dart d, int k);
 
-  /// Moves a vertex: `write` sets new values by VertexAttribute::set on the copies of the event; then the
-  /// attributes with a rule follow, and invariants are asked.
+  /// Moves a vertex: `write` sets new values by VertexAttribute::set on the copies of the event; then
+  /// attributes with a rule follow, and invariants are checked.
   Outcome relocate(NodeId n, Dart v, const std::function<void(const Event&)>& write);
 
-  /// Only the judgement on a collapse; nothing is changed. Invariants are not asked.
+  /// Only judges a collapse; nothing is changed. Invariants are not checked.
   CollapseVerdict judge(NodeId n, Dart e);
-  /// Why an operation would be refused, as far as that can be told without doing it: everything but what
-  /// invariants say afterwards, and the link condition of a second copy once the first is collapsed.
+  /// Why an operation would be refused, as far as that is known without doing it. Not covered: what
+  /// invariants say afterwards, and the link condition of a second copy after the first is collapsed.
   Refusal why_not_collapse(NodeId n, Dart e, Placement placement = {});
-  /// The same of a swap in a surface. \pre no mesh of the tree has dimension 3
+  /// The same for a swap in a surface. \pre no mesh of the tree has dimension 3
   Refusal why_not_swap(NodeId n, Dart e);
 
-  /// A scope around several operations, which undoes them all, attributes included, unless it is committed.
+  /// A scope around several operations. It rolls all back, attributes included, unless it is committed.
   [[nodiscard]] Transaction transaction() { return {tree_, attributes_}; }
 
   const MultiMesh& tree() const noexcept { return tree_; }
   const Statistics& statistics() const noexcept { return statistics_; }
-  /// Of the last operation: the vertex copies (collapse: the merged ones), the edge copies (split).
+  /// After an operation: the copies of the vertex (collapse: of the merged one), or of the edge (split).
   const Copies& copies() const noexcept { return copies_; }
 
-  /// For tests: called before each stage of an operation with its number; may throw.
+  /// For tests: called before each stage of an operation with the stage's number; may throw.
   std::function<void(int stage)> on_stage;
 
  private:
-  /// The time during which nobody else may change the tree, ask for operations, or add to them.
+  /// The time during which no other code may change the tree, request operations, or add to them.
   class Operating {
    public:
     explicit Operating(MultiMesh& tree) : tree_(tree) {
@@ -158,7 +158,7 @@ class Propagation {
    private:
     MultiMesh& tree_;
   };
-  struct Moved {  // a child facet whose anchor points into a part of the parent that changes
+  struct Moved {  // a child facet whose anchor points into a changing part of the parent
     NodeId child;
     Index facet;
     End end;
@@ -189,7 +189,7 @@ class Propagation {
   void collect_moved_by_split(const Copy& c);
   void write_halves(std::size_t i);
 
-  // What columns are told, and which values win in a collapse (column_changes.cpp).
+  // Changes reported to columns, and which values win in a collapse (column_changes.cpp).
   struct OldFacet {
     Dart dart;
     Index facet;
@@ -232,7 +232,7 @@ class Propagation {
   void collect_reanchored_by_flip();
 
   MultiMesh& tree_;
-  std::size_t renumberings_;  // of the tree, that the attributes have followed
+  std::size_t renumberings_;  // those of the tree that the attributes have followed
   std::vector<Attribute*> attributes_;
   std::vector<Invariant*> invariants_;
   LegalityOptions legality_options_;
@@ -243,9 +243,9 @@ class Propagation {
   std::vector<SplitRecord> splits_;
   std::vector<CollapseRecord> collapses_;
   std::vector<Merging> mergings_;
-  bool taking_back_ = false;  // the collapse puts a vertex back that a split of the same operation made
+  bool taking_back_ = false;  // the collapse removes a vertex that a split of the same operation inserted
   bool has_columns_ = false;
-  // To simplices and corners; only if there are columns.
+  // Changes of simplices and corners; only if there are columns.
   Changes done_;
   std::vector<OldFacet> old_facets_;
   std::vector<MergingEdges> merging_edges_;

@@ -10,23 +10,23 @@
 namespace multimesh {
 
 /// Numbers unordered pairs of indices by their first appearance: edges by their vertices, for instance. Each
-/// pair is in the list of the rarer of its two indices, so that the lists are short also at the tip of a
+/// pair is stored in the list of the rarer of its two indices, so that lists are short even at the apex of a
 /// large fan: looking up all edges of a mesh takes linear time (Chiba, Nishizeki 1985). Neither sorts nor
 /// hashes. 8 bytes per index and per pair.
 class PairNumbers {
  public:
-  /// Indices are below `indices`.
+  /// All indices must be below `indices`.
   explicit PairNumbers(std::size_t indices) : lists_(indices) {}
   PairNumbers(std::size_t indices, std::span<const Index> expected) : PairNumbers(indices) {
     for (const Index i : expected) expect(i);
   }
 
-  /// To be called, before the first pair, in proportion to how often the index will be in a pair. Only speed
-  /// depends on it.
+  /// Call before the first pair, once per (or in proportion to) the pairs in which the index will occur. Only
+  /// speed depends on it.
   void expect(Index i) { ++lists_[i].expected; }
   void reserve(std::size_t pairs) { pairs_.reserve(pairs); }
 
-  /// The pair's number, size() as it was if it is new.
+  /// The pair's number; a new pair gets the previous size().
   Index operator()(Index v, Index w) {
     const Index of_v = lists_[v].expected, of_w = lists_[w].expected;
     const bool v_is_rarer = of_v < of_w || (of_v == of_w && v < w);

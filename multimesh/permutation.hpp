@@ -36,7 +36,7 @@ constexpr PermutationTable make_permutations() {
 }
 inline constexpr PermutationTable permutations = make_permutations();
 
-/// Where the code of a permutation with these images is found; 2 bits each.
+/// The position of the code of a permutation with these images; 2 bits each.
 constexpr std::size_t images_key(int p0, int p1, int p2, int p3) {
   return static_cast<std::size_t>(p0 | p1 << 2 | p2 << 4 | p3 << 6);
 }

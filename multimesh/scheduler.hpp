@@ -13,11 +13,11 @@
 
 namespace multimesh {
 
-/// What came of an edge that was due.
+/// The result of trying an edge that was due.
 struct Attempt {
   Outcome outcome;
-  bool postponed = false;  ///< nothing was done: the edge costs more than the queue knew
-  double cost = 0;         ///< what it costs then
+  bool postponed = false;  ///< nothing was done: the edge costs more than the queue assumed
+  double cost = 0;         ///< its actual cost then
 
   Attempt(Outcome o) : outcome(std::move(o)) {}  // NOLINT: a policy that never postpones returns outcomes
   static Attempt postpone(double cost) {
@@ -43,11 +43,11 @@ class PriorityScheduler {
 
   explicit PriorityScheduler(const Propagation& operations) : tree_(operations.tree()) {}
 
-  /// Runs until the policy is finished or a whole pass over the refused edges has changed nothing. After
-  /// each operation, all edges of the facets that changed (Outcome::changed) get a new cost, after a collapse
-  /// in a surface only those at the merged vertex; refused edges are asked again when that happens to them,
-  /// and in the next pass. Edges farther away whose cost depends on what was changed are the policy's to
-  /// notice when they are due: it postpones them. Cost: O(log n) per operation and update.
+  /// Runs until the policy is finished or a whole pass over the refused edges has changed nothing. After each
+  /// operation, all edges of the facets that changed (Outcome::changed) get a new cost; after a collapse in a
+  /// surface only those at the merged vertex. Refused edges are tried again when that happens to them, and in
+  /// the next pass. Edges farther away may also depend on what was changed; the policy must detect this when
+  /// they are due, and postpone them. Cost: O(log n) per operation and update.
   template <class Policy>
   Stop run(Policy& policy) {
     const auto start = std::chrono::steady_clock::now();
@@ -56,10 +56,10 @@ class PriorityScheduler {
     return stop;
   }
 
-  /// Of the last run, by the wall clock.
+  /// Of the last run, wall-clock time.
   double seconds() const noexcept { return seconds_; }
 
-  /// Edges refused in the last pass: what stands in the way of a run that is exhausted.
+  /// Edges refused in the last pass: the reason why a run is exhausted.
   const std::vector<Index>& refused_edges() const noexcept { return refused_; }
 
  private:
@@ -111,13 +111,13 @@ class PriorityScheduler {
     }
   }
 
-  // After a collapse in a surface the edges at its vertex; else all of the facets that changed. In dimension
-  // 3 edges have other indices then, too.
+  // After a collapse in a surface: the edges at its vertex; otherwise all edges of the facets that changed.
+  // In dimension 3 edges also have other indices then.
   template <class Policy>
   void update_around(const Outcome& outcome, Policy& policy) {
     const Mesh& root = tree_.mesh(NodeId::root);
     const int d = root.dimension();
-    // A policy may have made an outcome of its own.
+    // A policy may have constructed an outcome itself.
     const Dart changed = outcome.changed != no_dart ? outcome.changed : outcome.root;
     if (changed == no_dart) return;
     root.star(changed, outcome.changed_dimension, star_);

@@ -15,7 +15,7 @@ inline constexpr std::uint8_t edge_corners[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 
 inline constexpr std::uint8_t edge_number[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
 
 /// Side 4 t + f of a list of tetrahedra is the face of tetrahedron t opposite its corner f. Its corners 4 t +
-/// i, so that their vertices, by `vertex_of(corner)`, ascend.
+/// i, ordered so that their vertices, by `vertex_of(corner)`, ascend.
 template <class VertexOf>
 std::array<Index, 3> side_corners(Index side, const VertexOf& vertex_of) {
   std::array<Index, 3> c{};
@@ -27,7 +27,7 @@ std::array<Index, 3> side_corners(Index side, const VertexOf& vertex_of) {
   return c;
 }
 
-/// Of two sides with the same vertices, corners by ascending vertices: the permutation that takes local
+/// For two sides with the same vertices, corners by ascending vertices: the permutation that takes local
 /// corners of the first one's tetrahedron to those of the second one's.
 constexpr Permutation across_sides(Index side, const std::array<Index, 3>& corners, Index other,
                                    const std::array<Index, 3>& other_corners) {
@@ -37,8 +37,8 @@ constexpr Permutation across_sides(Index side, const std::array<Index, 3>& corne
   return permutation(q[0], q[1], q[2], q[3]);
 }
 
-/// Calls `visit` with the sides that have the same three vertices, ascending, for each face of the
-/// tetrahedra. \pre corners are below tets.vertices. Cost: buckets by the least vertex, sorted
+/// Calls `visit` for each face of the tetrahedra with the sides that have its three vertices, ascending.
+/// \pre corners are below tets.vertices. Cost: buckets by the least vertex, sorted
 void for_each_face(const FacetList& tets, const std::function<void(std::span<const Index> sides)>& visit);
 
 }  // namespace multimesh

@@ -7,11 +7,12 @@
 
 namespace multimesh {
 
-/// A scope in which everything done to the meshes, maps and attributes can be undone exactly: handles,
-/// status bits, properties and element counts included. Undone when the scope ends without commit(), also
-/// by an exception. Scopes nest; what an inner one committed, an outer one can still undo. Cost of undoing:
-/// that of what was done. `attributes` must be all those that are written inside, by operations or otherwise;
-/// Propagation::transaction() gives its own. \throw UsageError, also commit(), in the middle of an operation
+/// A scope in which everything done to the meshes, maps and attributes can be undone exactly: handles, status
+/// bits, properties and element counts included. It rolls back unless committed, also on an exception. Scopes
+/// nest; an outer scope can still undo what an inner one has committed. Undoing costs as much as what was
+/// done. `attributes` must be all that are written inside, by operations or otherwise;
+/// Propagation::transaction() passes its own. \throw UsageError, also commit(), in the middle of an
+/// operation
 class Transaction {
  public:
   Transaction(MultiMesh& tree, std::span<Attribute* const> attributes);

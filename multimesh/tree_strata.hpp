@@ -8,8 +8,8 @@
 
 namespace multimesh {
 
-/// What an edge of a surface is besides being one: the meshes that have it as a curve or in their boundary.
-/// Edges with the same are of one kind.
+/// What an edge of a surface is besides an edge: the meshes that contain it as a curve or in their boundary.
+/// Edges with the same meshes are of one kind.
 class EdgeKind {
  public:
   bool is_plain() const noexcept { return meshes_.empty(); }
@@ -20,34 +20,34 @@ class EdgeKind {
   std::vector<std::uint32_t> meshes_;  // by node; once per copy
 };
 
-/// Where a vertex of a surface may go.
+/// Where a vertex of a surface may move.
 enum class Freedom : std::uint8_t {
   surface,  ///< anywhere on it
   line,     ///< along the two edges of one kind that meet there
   none,
 };
 
-/// The strata of a surface in a tree, at its root or below other meshes: what runs along its edges, asked of
-/// the maps and not of tags.
+/// The strata of a surface in a tree, at its root or below other meshes. What runs along its edges is found
+/// from the maps, not from tags.
 class TreeStrata {
  public:
   explicit TreeStrata(const MultiMesh& tree, NodeId surface = NodeId::root)
       : tree_(tree), node_(surface), mesh_(tree.mesh(surface)) {}
 
-  /// From now on an edge whose number is 0 is plain without a look at its copies: who keeps the numbers
-  /// answers for them. `numbers`: per edge of the surface.
+  /// Trusts the caller's numbers from now on: an edge with number 0 is plain, and its copies are not
+  /// examined. `numbers`: per edge of the surface.
   void trust(const std::vector<Index>& numbers) noexcept { numbers_ = &numbers; }
 
-  /// Of the edge of (a, b, ..). Cost: that of its copies
+  /// The kind of the edge of (a, b, ..). Cost: that of its copies
   EdgeKind kind(Dart e);
   bool is_plain(Dart e) { return kind(e).is_plain(); }
-  /// Whether it may be neither split nor moved: an edge with a kind between two locked vertices.
+  /// Whether the edge may be neither split nor moved: an edge with a kind between two locked vertices.
   bool is_frozen(Dart e) {
     return is_locked(e) && is_locked(mesh_.reorder(e, exchange_ends)) && !is_plain(e);
   }
   /// Whether the vertex keeps its place in this mesh or the root.
   bool is_locked(Dart vertex) const;
-  /// \param line if it is on one: the two edges, as darts that begin with the vertex. Cost: that of its star
+  /// \param line if the vertex is on one: its two edges, darts that begin with the vertex. Cost: its star
   Freedom freedom(Dart vertex, std::array<Dart, 2>& line);
   Freedom freedom(Dart vertex) {
     std::array<Dart, 2> line{};

@@ -8,10 +8,10 @@
 
 namespace multimesh {
 
-/// Everything that is wrong with a tree, a sentence each; empty if it is valid. Checked: the connectivity of
-/// every mesh, that it is a proper simplicial complex, every anchor (alive, in its own facet), the vertex
-/// map of every child (single-valued, and nothing degenerates), links (each the inverse of an anchor, none
-/// left over). Cost: linear, with a sort.
+/// All errors of a tree, one sentence each; empty if it is valid. Checked: the connectivity of every mesh,
+/// that it is a proper simplicial complex, every anchor (alive, in its own facet), the vertex map of every
+/// child (single-valued, with no degenerate image), and links (each the inverse of an anchor, none left
+/// over). Cost: linear, plus a sort.
 std::vector<std::string> validate(const MultiMesh& tree);
 
 }  // namespace multimesh
