@@ -9,10 +9,9 @@ namespace multimesh {
 
 /// A scope in which everything done to the meshes, maps and attributes can be undone exactly: handles, status
 /// bits, properties and element counts included. It rolls back unless committed, also on an exception. Scopes
-/// nest; an outer scope can still undo what an inner one has committed. Undoing costs as much as what was
-/// done. `attributes` must be all that are written inside, by operations or otherwise;
-/// Propagation::transaction() passes its own. \throw UsageError, also commit(), in the middle of an
-/// operation
+/// nest; an outer one can still undo what an inner one has committed. Undoing costs as much as what was done.
+/// `attributes` must be all that are written inside, by operations or otherwise; Propagation::transaction()
+/// passes its own. \throw UsageError, also commit(), in the middle of an operation
 class Transaction {
  public:
   Transaction(MultiMesh& tree, std::span<Attribute* const> attributes);

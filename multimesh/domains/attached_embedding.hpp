@@ -6,9 +6,9 @@
 
 namespace multimesh {
 
-/// A user's own OpenMesh mesh with all that is attached to it, for algorithms: its points, the texture
-/// coordinates if there are any, and what follows or stands in the way of its operations. Children and
-/// properties that are added later are not in it. Must not outlive `attached`. Cost: constant
+/// A user's own OpenMesh mesh with everything attached to it, for algorithms: its points, the texture
+/// coordinates if there are any, and the attributes and invariants of its operations. Children and properties
+/// that are added later are not included. Must not outlive `attached`. Cost: constant
 template <class UserMesh>
 Embedding embedding(openmesh::Attached<UserMesh>& attached) {
   Embedding e(attached.operations());

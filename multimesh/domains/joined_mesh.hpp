@@ -9,14 +9,14 @@
 
 namespace multimesh {
 
-/// Keeps the topology of a domain as it is when its copies are joined again (TetDomain::tagged()): edges that
-/// have copies stay as they are, and no two simplices come to have the same points.
+/// Preserves the topology of a domain after its copies are joined again (TetDomain::tagged()): edges that
+/// have copies stay as they are, and no two simplices get the same points.
 class KeepsJoinedMesh final : public Invariant {
  public:
   /// \pre the domain is not compacted afterwards
   explicit KeepsJoinedMesh(const TetDomain& domain);
   bool before(const Event& event) override;
-  /// Cost: the star of the vertex of the event; where copies are near, also the stars of its copies
+  /// Cost: the star of the event's vertex; where copies are near, also the stars of its copies
   bool after(const Event& event) override;
 
  private:

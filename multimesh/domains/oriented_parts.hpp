@@ -7,10 +7,10 @@
 
 namespace multimesh {
 
-/// Of each facet, the least vertex of its part; parts are joined by vertices. Cost: nearly linear
+/// Per facet, the least vertex of its part; parts are joined by vertices. Cost: nearly linear
 std::vector<Index> parts_of(const FacetList& facets);
 
-/// Of each facet, whether the sizes (volumes or areas, with their signs) of its part sum up to less than 0.
+/// Per facet, whether the sizes (signed volumes or areas) of its part sum up to less than 0.
 std::vector<bool> in_negative_part(const std::vector<Index>& part, const std::vector<double>& sizes);
 
 }  // namespace multimesh

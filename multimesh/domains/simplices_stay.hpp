@@ -7,8 +7,8 @@
 
 namespace multimesh {
 
-/// Some facets of the meshes of a tree are neither split nor collapsed, and none of their vertices moves, in
-/// whatever mesh an operation is asked for. Cost: the stars of all copies
+/// The given facets of the meshes of a tree are neither split nor collapsed, and none of their vertices
+/// moves, whichever mesh an operation is requested on. Cost: the stars of all copies
 class SimplicesStay final : public Invariant {
  public:
   using Stays = std::function<bool(NodeId, Index facet)>;

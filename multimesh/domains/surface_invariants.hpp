@@ -12,11 +12,11 @@
 
 namespace multimesh {
 
-/// Keeps a surface that was cut so that its copies can be joined again without making new non-manifold edges,
-/// or more copies when it is read: no two edges of different sheets may come to join the same two input
-/// vertices, by a collapse or a swap; two that do so are neither split nor swapped, for the other one would
-/// not be; and no copy inside a sheet may come to its boundary. Labelled vertices of the root are copies, or
-/// other vertices that stay; `source` says of which input vertex.
+/// Keeps a surface that was cut such that its copies can be joined again without new non-manifold edges, or
+/// more copies when it is read. No two edges of different sheets may come to join the same two input vertices
+/// by a collapse or a swap. Two edges that already do are neither split nor swapped, because the other one
+/// would not be. No copy inside a sheet may come to its boundary. Locked vertices of the root are copies, or
+/// other vertices that stay; `source` gives the input vertex.
 class CopiesStayApart final : public Invariant {
  public:
   /// Cost: linear.
@@ -25,20 +25,20 @@ class CopiesStayApart final : public Invariant {
 
  private:
   bool collapse_allowed(const Event& event);
-  /// Whether an edge other than `edge` joins the two when copies are one again.
+  /// Whether an edge other than `edge` joins the two vertices after copies are joined again.
   bool joined(const Mesh& mesh, Index v, Index w, Index edge);
   std::span<const Index> copies_of(const Index& v) const;
   void collect_labelled_neighbours(const Mesh& mesh, Dart vertex, std::vector<Index>& out);
 
   const std::vector<Index>& source_;
-  std::unordered_map<Index, std::vector<Index>> copies_;  // by source; of those that have several
+  std::unordered_map<Index, std::vector<Index>> copies_;  // by source; only sources that have several
   DartBuffer star_, around_;
   std::vector<Index> kept_, gained_, other_;
 };
 
 /// No operation may give both sides of a seam edge the same texture coordinates: files tell vertices of the
-/// texture apart by their values, so that such a seam would be closed when the file is read again. It happens
-/// where charts touch in points: between two such points, a seam is open only at the vertices in between.
+/// texture apart by value, so the seam would be closed when the file is read again. This can happen where
+/// charts touch in points: between two such points, a seam is open only at the vertices in between.
 class SeamsStayOpen final : public Invariant {
  public:
   explicit SeamsStayOpen(const VertexAttribute<Vec2>& texcoords)
@@ -48,7 +48,7 @@ class SeamsStayOpen final : public Invariant {
 
  private:
   using Value = std::function<Vec2(Index vertex)>;
-  /// Whether the sides of all seams around the vertex of d, but for one edge, differ.
+  /// Whether the sides of all seams around the vertex of d, except at one edge, differ.
   bool open_around(const MultiMesh& tree, Dart d, Index without, const Value& near_end) const;
   Vec2 merged(const Event& event, Index vertex) const;
 

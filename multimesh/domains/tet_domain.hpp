@@ -19,21 +19,21 @@ class Embedding;
 /// Bits of the flags of a simplex in the lists below.
 enum TetDomainFlag : std::uint8_t {
   feature_simplex = 1,   ///< a point that is a corner, an edge that is a ridge
-  required_simplex = 2,  ///< to be kept as it is
-  unlisted_simplex = 4,  ///< of the surface or the curves, though the input does not list it
+  required_simplex = 2,  ///< must be kept as it is
+  unlisted_simplex = 4,  ///< in the surface or the curves, but not listed by the input
 };
 
-/// Tetrahedra with regions, and what is tagged inside them, as plain lists: what a file has.
+/// Tetrahedra with regions, and what is tagged inside them, as plain lists: the contents of a file.
 struct TaggedTetrahedra {
   using Tag = std::int32_t;
   std::vector<std::array<double, 3>> points;
   FacetList tets{3, 0, {}};             ///< into points
   std::vector<Tag> regions;             ///< per tetrahedron, or empty: all 0
   std::vector<std::uint8_t> tet_flags;  ///< per tetrahedron, or empty: none; so are all flags
-  FacetList triangles{2, 0, {}};        ///< faces of the tetrahedra that are to be kept
+  FacetList triangles{2, 0, {}};        ///< faces of the tetrahedra to keep
   std::vector<Tag> patches;             ///< per triangle, or empty: all 0
   std::vector<std::uint8_t> triangle_flags;
-  FacetList edges{1, 0, {}};   ///< edges of the tetrahedra that are to be kept
+  FacetList edges{1, 0, {}};   ///< edges of the tetrahedra to keep
   std::vector<Tag> edge_tags;  ///< per edge, or empty: all 0
   std::vector<std::uint8_t> edge_flags;
   std::vector<Index> fixed;     ///< points that must keep their place
@@ -49,14 +49,14 @@ struct TetDomainOptions {
   double feature_angle = std::numeric_limits<double>::infinity();
 };
 
-/// What had to be done to the input, and what of it was left out.
+/// What had to be changed in the input, and what of it was left out.
 struct TetDomainReport {
   std::size_t copied_vertices = 0;  ///< copies made of points at which the mesh is not manifold
-  std::size_t reversed_tets = 0;  ///< turned round to agree with their neighbours or to have positive volume
-  std::size_t inverted_tets = 0;  ///< of negative or no volume, after that
-  std::size_t missing_triangles = 0;  ///< tagged triangles that are no face of a tetrahedron
-  std::size_t missing_edges = 0;      ///< tagged edges that are no edge of a tetrahedron
-  std::size_t missing_points = 0;     ///< fixed points that are no vertex of a tetrahedron
+  std::size_t reversed_tets = 0;  ///< reversed to agree with their neighbours or to have positive volume
+  std::size_t inverted_tets = 0;  ///< with negative or no volume, after that
+  std::size_t missing_triangles = 0;  ///< tagged triangles that are not a face of a tetrahedron
+  std::size_t missing_edges = 0;      ///< tagged edges that are not an edge of a tetrahedron
+  std::size_t missing_points = 0;     ///< fixed points that are not a vertex of a tetrahedron
   std::size_t unused_points = 0;      ///< all such points
 };
 
@@ -70,9 +70,9 @@ struct TetDomainReport {
 ///                                   have facets. Chains of curves end where they branch or their kind
 ///                                   changes.
 ///
-/// Points where sheets or curves touch that nothing else keeps, and copies of one input point, are locked. At
-/// a point whose link is neither a sphere nor a disk, the cut also parts a few faces inside the material;
-/// they are no part of the surface, but of the root's boundary.
+/// Points where sheets or curves touch and that no mesh guards, and copies of one input point, are locked. At
+/// a point whose link is neither a sphere nor a disk, the cut also separates a few faces inside the material;
+/// they are not part of the surface, but of the root's boundary.
 class TetDomain {
  public:
   using Point = Eigen::Vector3d;
@@ -84,17 +84,17 @@ class TetDomain {
   ~TetDomain();
   TetDomain(TetDomain&&) noexcept;
 
-  /// The domain as it is now; copies of one input point are one again unless they have moved apart, or a
+  /// The current domain. Copies of one input point are one again, unless they have moved apart or a
   /// tetrahedron joins them.
-  /// Triangles: the whole surface with its patches, without the part of the boundary that carries the tag 0
-  /// and was not in the input. Edges: all curves with their tags. Fixed: the locked points. Interfaces,
-  /// curves and locked points that the input does not list are unlisted_simplex.
+  /// Triangles: the whole surface with its patches, except the part of the boundary that has tag 0 and was
+  /// not in the input. Edges: all curves with their tags. Fixed: the locked points. Interfaces, curves and
+  /// locked points that the input does not list are unlisted_simplex.
   TaggedTetrahedra tagged() const;
 
   MultiMesh& tree();
   const MultiMesh& tree() const;
-  /// Its points; tetrahedra stay positive, simplices that the input requires stay as they are, copies of one
-  /// point can be joined again. Must not outlive the domain. Cost: linear
+  /// Its points; tetrahedra stay positive, simplices that the input requires stay as they are, and copies of
+  /// one point can be joined again. Must not outlive the domain. Cost: linear
   Embedding embedding();
   tet::TetMesh& mesh();
   const tet::TetMesh& mesh() const;
@@ -108,13 +108,13 @@ class TetDomain {
   const tet::Property<Tag>& regions() const;
   /// Whether cutting made several vertices of this one's point.
   bool is_copy(Index vertex) const;
-  /// The same number for all vertices of the root that are copies of one point, another one for others.
+  /// A number that is equal for exactly the vertices of the root that are copies of one point.
   Index joined_point(Index vertex) const;
-  /// Whether cutting made several of this edge, or of a face that it is a side of. What is done to one copy
-  /// only leaves the others behind, and the mesh does not conform any more when it is joined again: neither
-  /// split, swap nor collapse such an edge, and move none of its ends.
+  /// Whether cutting made several copies of this edge, or of a face that it is a side of. Changing only one
+  /// of the copies leaves the others behind, and the mesh is no longer conforming when it is joined again:
+  /// neither split, swap nor collapse such an edge, and move none of its ends.
   bool is_copied_edge(Dart edge) const;
-  /// Whether cutting made several of this face: inside the domain, it is in the boundary of the root only.
+  /// Whether cutting made several of this face: inside the domain, but in the boundary of the root.
   bool is_parted_face(Dart face) const;
   Tag patch(Index triangle) const;  ///< of a triangle of the surface
   Tag curve_tag(Index edge) const;  ///< of an edge of the curves
@@ -122,7 +122,7 @@ class TetDomain {
   /// Halves of a split simplex have those of the whole. \pre dimension is 1 to 3
   std::uint8_t flags(int dimension, Index simplex) const;
 
-  struct Data;  ///< tet_domain_data.hpp; private to the implementation
+  struct Data;  ///< private to the implementation
 
  private:
   std::unique_ptr<Data> data_;

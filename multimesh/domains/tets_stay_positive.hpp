@@ -6,8 +6,8 @@
 
 namespace multimesh {
 
-/// Refuses operations after which a tetrahedron around the vertex or edge, of the mesh whose coordinates
-/// these are, has negative or no volume, by exact signs. Collapses are judged before they are done. Cost: the
+/// Refuses operations after which a tetrahedron around the vertex or edge has negative or no volume, by exact
+/// signs, in the mesh to which the coordinates belong. Collapses are judged before they are done. Cost: the
 /// star of the vertex, per copy.
 class TetsStayPositive final : public Invariant {
  public:

@@ -10,13 +10,13 @@
 
 namespace multimesh {
 
-/// Triangles by corners, as files have them: a position and perhaps a texture coordinate per corner.
+/// Triangles by corners, as files store them: a position and optionally a texture coordinate per corner.
 struct TexturedTriangles {
   struct Corner {
     std::int32_t position = 0;
     std::int32_t texcoord = -1;  ///< -1: none; a triangle has three or none
   };
-  /// Texture coordinates besides the first ones: a light map, for instance.
+  /// Further sets of texture coordinates: a light map, for instance.
   struct UvSet {
     std::vector<Vec2> texcoords;
     std::vector<std::array<std::int32_t, 3>> corners;  ///< \#F; -1: none; a triangle has three or none
@@ -29,7 +29,7 @@ struct TexturedTriangles {
   std::vector<Index> labels;
   std::vector<UvSet> more_uv_sets;  ///< sets 1, 2, ...; set 0 is in `triangles`
   std::vector<Vec3> colors;         ///< \#V in [0, 1], or empty
-  /// Per triangle how its normals were, or empty: see shading.hpp.
+  /// Per triangle the shading by its original normals, or empty: see shading.hpp.
   std::vector<std::uint8_t> shading;
 
   std::size_t uv_sets() const noexcept { return 1 + more_uv_sets.size(); }
@@ -42,7 +42,7 @@ struct TexturedTriangles {
   }
 };
 
-/// \throw InputError for coordinates that are not numbers, or of a size that cannot be computed with (see
+/// \throw InputError for coordinates that are not numbers, or too large or small to compute with (see
 /// CoordinateRange). \pre indices are in range
 void check_size(const TexturedTriangles& input);
 

@@ -5,10 +5,10 @@
 
 namespace multimesh {
 
-/// Turns round the triangles that `surface` runs through the other way, so that neighbours agree wherever the
-/// surface is orientable; texture coordinates and shading with them. A surface that is made anew of `input`
-/// has no borders between triangles that were turned and others. \pre `surface` was made of `input`, and not
-/// changed since. \return how many were turned
+/// Reverses the triangles whose orientation `surface` has reversed, with their texture coordinates and
+/// shading, so that neighbours agree wherever the surface is orientable. A surface that is made anew from
+/// `input` has no borders between reversed triangles and others. \pre `surface` was made from `input`, and
+/// not changed since. \return how many were reversed
 std::size_t turn_reversed(const TexturedSurface& surface, TexturedTriangles& input);
 
 }  // namespace multimesh

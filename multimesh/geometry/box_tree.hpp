@@ -11,15 +11,15 @@
 
 namespace multimesh::spatial {
 
-/// A binary tree of boxes around triangles, in double precision: what it finds, and how fast, does not depend
-/// on how far apart the triangles lie.
+/// A binary tree of boxes around triangles, in double precision: neither its results nor its speed depend on
+/// how far apart the triangles lie.
 class BoxTree {
  public:
-  /// Cost: O(n log n); about 40 bytes per triangle. Triangles are finite.
+  /// Cost: O(n log n); about 40 bytes per triangle. \pre triangles are finite
   explicit BoxTree(const std::vector<Triangle>& triangles);
 
-  /// Calls visit(facet) for all triangles that may be within a distance of p; visit returns its square, which
-  /// may shrink, and near ones come first.
+  /// Calls visit(facet) for all triangles that may be within a distance of p, near ones first. visit returns
+  /// the square of that distance, which may shrink.
   template <class Visit>
   void visit_near(const Vec3& p, double squared_distance, Visit visit) const {
     if (nodes_.empty()) return;
@@ -49,7 +49,7 @@ class BoxTree {
  private:
   struct Node {
     Vec3 low, high;
-    Index first;  ///< of a leaf, in order_; else the second child: the first one comes next
+    Index first;  ///< of a leaf: in order_; else the second child (the first child comes next)
     Index count;  ///< of a leaf: triangles; else 0
   };
 
@@ -69,7 +69,7 @@ class BoxTree {
     return sum;
   }
 
-  // Computed distances are off by roundings of the way to the farthest corner.
+  // Computed distances have rounding errors relative to the distance to the farthest corner.
   static bool is_beyond(const Node& n, double box, const Vec3& p, double least) {
     if (!(box > least)) return false;
     double far = 0;

@@ -13,11 +13,11 @@ using Triangle = std::array<Vec3, 3>;
 /// A point of a triangle: weights of the corners, none negative, sum 1.
 struct PointOnTriangle {
   std::array<double, 3> barycentric{1, 0, 0};
-  double squared_distance = 0;  ///< to the point that was asked for
+  double squared_distance = 0;  ///< to the query point
 };
 
-/// The point of the triangle that is closest to p. Triangles without area are segments or points. Error of
-/// the distance: a few roundings of the distance from p to the farthest corner.
+/// The point of the triangle that is closest to p. Triangles without area are treated as segments or points.
+/// Error of the distance: a few roundings of the distance from p to the farthest corner.
 PointOnTriangle closest_point(const Vec3& p, const Triangle& triangle);
 
 /// The point of the triangle with these weights.

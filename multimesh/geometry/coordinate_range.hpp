@@ -11,13 +11,13 @@
 
 namespace multimesh {
 
-/// Whether a model is of a size that can be computed with. Areas, volumes and energies are products of up to
+/// Whether a model has a size that can be computed with. Areas, volumes and energies are products of up to
 /// six lengths: in a model within these bounds they neither overflow nor vanish.
 class CoordinateRange {
  public:
   static constexpr double largest_coordinate = 1e40, least_extent = 1e-40;
 
-  /// A point that the model uses, and its number for the message.
+  /// Adds a point that the model uses, with its number for the message.
   void add(std::size_t number, const double* point) {
     for (std::size_t i = 0; i < 3; ++i) {
       low_[i] = std::min(low_[i], point[i]);

@@ -9,7 +9,7 @@
 namespace multimesh::detail {
 
 /// The sign of a sum of products of `factors` finite doubles each, without rounding: a fixed-point number
-/// that has room for the least and the largest of them, in two's complement. For a few hundred products at
+/// in two's complement with room for the least and the largest of them. For a few hundred products at
 /// most.
 template <std::size_t factors>
 class ExactSum {
@@ -35,7 +35,7 @@ class ExactSum {
     explicit Parts(double x) {
       int e = 0;
       const double fraction = std::frexp(std::abs(x), &e);
-      // Of a subnormal number, the fraction has fewer digits: the exponent stays at the least one.
+      // A subnormal number has fewer digits in its fraction: the exponent stays at the minimum.
       const int digits = e < -1021 ? e + 1074 : 53;
       const auto whole = static_cast<std::uint64_t>(std::ldexp(fraction, digits));
       exponent = e - digits;
@@ -59,7 +59,7 @@ class ExactSum {
     add_at(exponent - lowest, digits, used, negative);
   }
 
-  /// By schoolbook; digits are words of 32 bits.
+  /// Schoolbook multiplication; digits are words of 32 bits.
   static void multiply(std::array<std::uint64_t, 2 * factors>& digits, std::size_t& used,
                        const std::array<std::uint64_t, 2>& by) {
     std::array<std::uint64_t, 2 * factors> product{};

@@ -7,13 +7,13 @@ namespace multimesh {
 
 namespace detail {
 
-/// Where rounding could decide.
+/// For cases where rounding could decide.
 int exact_orient2d(const double* a, const double* b, const double* c);
 
 }  // namespace detail
 
-/// The sign of det(b-a, c-a), exact for all finite doubles: 1 if (a,b,c) turns left, -1, 0 if the three lie
-/// on one line. Arguments: 2 doubles each. Cost: some operations; about 100 ns where rounding could decide.
+/// The sign of det(b-a, c-a), exact for all finite doubles: 1 if (a,b,c) turns left, -1 if right, 0 if
+/// collinear. Arguments: 2 doubles each. Cost: a few operations; about 100 ns where rounding could decide.
 /// Thread-safe. Filter: Shewchuk, Adaptive precision floating-point arithmetic, 1997.
 inline int orient2d(const double* a, const double* b, const double* c) {
   constexpr double rounding = 3.3306690738754716e-16;  // (3 + 16 e) e, e = 2^-53

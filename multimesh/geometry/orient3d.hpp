@@ -9,11 +9,11 @@ namespace multimesh {
 /// Thread-safe. Filter: Shewchuk, Adaptive precision floating-point arithmetic, 1997.
 int orient3d(const double* a, const double* b, const double* c, const double* d);
 
-/// The sign of det(b-a, c-a, n): 1 if the triangle (a,b,c) turns left for who sees it against the direction
-/// n, from where n points to. Exact, as orient3d.
+/// The sign of det(b-a, c-a, n): 1 if the triangle (a,b,c) turns left for a viewer at the tip of n who looks
+/// against n. Exact, as orient3d.
 int orient_against(const double* n, const double* a, const double* b, const double* c);
 
-/// Whether three points of space, 3 doubles each, lie on one line; exact.
+/// Whether three points of space, 3 doubles each, are collinear; exact.
 bool collinear(const double* a, const double* b, const double* c);
 
 }  // namespace multimesh

@@ -6,7 +6,7 @@
 
 namespace multimesh {
 
-/// Six times the volume of a tetrahedron, above 0 if it is of positive orientation.
+/// Six times the volume of a tetrahedron, positive if it is positively oriented.
 inline double six_volume(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                          const Eigen::Vector3d& d) {
   return (b - a).cross(c - a).dot(d - a);

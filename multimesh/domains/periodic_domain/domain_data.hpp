@@ -15,7 +15,7 @@
 
 namespace multimesh {
 
-/// What a PeriodicDomain is made of.
+/// The contents of a PeriodicDomain.
 struct PeriodicDomain::Data {
   Data(PreparedTile prepared, GluedTile glued, PeriodicReport found, const PeriodicTile& input)
       : lattice(std::move(prepared.lattice)),
@@ -52,12 +52,12 @@ struct PeriodicDomain::Data {
   }
 
   // A new vertex lies as far from its common place as the ends of its edge from theirs; a merged one keeps
-  // what the survivor has.
+  // the survivor's offset.
   LatticeVector next_offset(Operation operation, const VertexChange& c) const {
     return (*offsets)[operation == Operation::split ? c.a : c.vertex];
   }
 
-  // Copies that the cut has made of one vertex would come apart if they could move.
+  // Copies that the cut has made of one vertex would separate if they could move.
   void lock_copies(const GluedTile& glued) {
     std::vector<Index> copies(glued.root_class.size(), 0);
     for (const Index c : glued.root_class) ++copies[c];
@@ -71,7 +71,7 @@ struct PeriodicDomain::Data {
     return !tree.mesh(NodeId::root).is_boundary(tree.to_parent(tile, face), k);
   }
 
-  /// The faces of a mesh that are tagged, as its child, or nothing if there are none.
+  /// Adds the tagged faces of a mesh as its child; nothing if there are none.
   std::optional<NodeId> add_faces(NodeId n, const std::function<bool(Dart face)>& is_tagged) {
     const Mesh& mesh = tree.mesh(n);
     const int k = mesh.dimension() - 1;
@@ -92,7 +92,7 @@ struct PeriodicDomain::Data {
     return regions.empty() ? 0 : regions[(*facet_source)[facet]];
   }
 
-  /// Per vertex of the tile its number in tile_lists(); no_index for those that are not there.
+  /// Per vertex of the tile its number in tile_lists(); no_index for those that are not in the lists.
   std::vector<Index> numbers() const {
     const Mesh& mesh = tree.mesh(tile);
     std::vector<Index> number(mesh.capacity(0), no_index);

@@ -6,15 +6,15 @@
 
 namespace multimesh {
 
-/// A tile and what it becomes when its copies of vertices are glued, facet by facet the same, manifold and
-/// oriented alike.
+/// A tile and the root that results when its copies of vertices are glued: the same facet by facet, manifold
+/// and consistently oriented.
 struct GluedTile {
   FacetList tile, root;
   std::vector<Index> source;      ///< per vertex of the tile: that of the labelled tile
   std::vector<Index> root_class;  ///< per vertex of the root: its class
 };
 
-/// The box of a tile, and which of its vertices are one; refined if asked for.
+/// The box of a tile, and which of its vertices are one; refined if requested.
 /// \throw InputError as PeriodicDomain
 struct PreparedTile {
   LabelledTile tile;

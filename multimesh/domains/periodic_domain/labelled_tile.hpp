@@ -9,18 +9,18 @@
 
 namespace multimesh {
 
-/// A tile as plain lists, with the vertices that are one modulo the lattice known, but not glued yet.
+/// A tile as plain lists; the vertices that are one modulo the lattice are known, but not glued yet.
 struct LabelledTile {
   FacetList facets;
-  std::vector<Index> input_facet;      ///< per facet: the one that it is a part of
+  std::vector<Index> input_facet;      ///< per facet: the input facet that it is part of
   std::vector<Eigen::Vector3d> point;  ///< per vertex, as are the following
   std::vector<Index> vertex_class;     ///< numbered from 0; no_index for vertices without facets
-  std::vector<LatticeVector> offset;   ///< equal for all copies if the lattice vectors were taken off
+  std::vector<LatticeVector> offset;   ///< equal for all copies after subtraction of the lattice vectors
   Index classes = 0;
 };
 
 /// An edge of the quotient: ends by class, low one first, and the lattice vector from the copy of the first
-/// end to that of the second one. Tile edges with the same one are copies of each other.
+/// end to that of the second one. Tile edges with equal QuotientEdges are copies of each other.
 struct QuotientEdge {
   Index low, high;
   LatticeVector shift;
@@ -28,7 +28,7 @@ struct QuotientEdge {
   friend auto operator<=>(const QuotientEdge&, const QuotientEdge&) = default;
 };
 
-/// The edge of the quotient that the tile edge v-w is a copy of; exchanges v and w if that leads from w to v.
+/// The edge of the quotient of which tile edge v-w is a copy; exchanges v and w if that leads from w to v.
 inline QuotientEdge quotient_edge(const LabelledTile& tile, Index& v, Index& w) {
   const auto shift = [&] { return tile.offset[w] - tile.offset[v]; };
   if (tile.vertex_class[v] > tile.vertex_class[w] ||

@@ -7,10 +7,10 @@
 
 namespace multimesh {
 
-/// Refuses sides that come to lie on each other by gluing but do not match: a face of one facet alone, the
-/// middle of which lies on another such face, a lattice vector away; or nearly does (0.15 of their least
-/// altitudes), and they face each other. Left open, they would be taken for the surface of the material.
-/// \throw InputError naming both facets. Cost: sorting the faces within reach of a vector
+/// Refuses sides that gluing puts on each other although they do not match: a face of only one facet whose
+/// middle lies on another such face, a lattice vector away; or nearly lies on it (0.15 of their least
+/// altitudes), and they face each other. Left open, such sides would be taken for the surface of the
+/// material. \throw InputError naming both facets. Cost: sorting the faces within reach of a vector
 void require_no_open_sides(const LabelledTile& tile, const Lattice& lattice,
                            std::span<const LatticeVector> vectors, double tolerance);
 

@@ -11,9 +11,9 @@ namespace multimesh {
 /// The edges of a tile's facets as edges of the quotient.
 ///
 /// The quotient is a proper simplicial complex if no edge is a loop, no two edges have the same ends, and no
-/// two facets the same vertices. Then simplices of all dimensions are determined by their vertices: if two
-/// have the same ones, their edges differ by lattice vectors equal for all ends, so that one is the other,
-/// shifted.
+/// two facets have the same vertices. Then simplices of all dimensions are determined by their vertices: if
+/// two have the same vertices, their edges differ by lattice vectors that are equal for all ends, so one is
+/// the other, shifted.
 class QuotientEdges {
  public:
   /// Cost: sorting.
@@ -23,10 +23,10 @@ class QuotientEdges {
   const QuotientEdge& operator[](Index e) const { return edges_[e]; }
   /// The edges of a facet, in the order of its pairs of corners (0,1), (0,2), (1,2), (0,3), (1,3), (2,3).
   std::span<const Index> of_facet(std::size_t f) const { return {of_facet_.data() + f * n_, n_}; }
-  /// The ends of a copy of an edge in the tile, from that of its first end.
+  /// The ends of a copy of an edge in the tile, starting at its first end.
   std::array<Index, 2> tile_edge(Index e) const { return tile_edge_[e]; }
-  /// Edges with the same ends as the one before them, or that are loops, come after one another: the range
-  /// of those with the ends of e.
+  /// Edges are sorted so that edges with the same ends, and loops, are contiguous: the range of those with
+  /// the ends of e.
   std::array<Index, 2> parallel(Index e) const;
 
  private:
@@ -36,7 +36,7 @@ class QuotientEdges {
   std::vector<Index> of_facet_;
 };
 
-/// Which periods are too short for the quotient to be a simplicial complex, naming edges; or nothing.
+/// The periods that are too short for the quotient to be a simplicial complex, naming edges; or nothing.
 std::optional<std::string> too_short(const QuotientEdges& edges);
 
 /// Two facets of the quotient with the same vertices, or nothing.

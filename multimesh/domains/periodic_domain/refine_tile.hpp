@@ -6,9 +6,9 @@
 namespace multimesh {
 
 /// Splits edges of a tile at their middles, each in all its copies at once, until the quotient has no loops
-/// and no two edges with the same ends. New vertices come after the old ones. \return the number of edges of
-/// the quotient that were split. `direct_rounds`: after so many, only longest edges of their facets are
-/// split. Cost: sorting, once per round; rounds are few
+/// and no two edges with the same ends. New vertices are appended after the old ones. \return the number of
+/// edges of the quotient that were split. `direct_rounds`: after this many rounds, only longest edges of
+/// their facets are split. Cost: sorting, once per round; rounds are few
 std::size_t refine_tile(LabelledTile& tile, int direct_rounds = 12);
 
 }  // namespace multimesh

@@ -14,10 +14,10 @@ class VertexClasses {
  public:
   explicit VertexClasses(std::size_t n);
 
-  /// Says that w lies at v + shift. \return false if that contradicts what was said before
+  /// Declares that w lies at v + shift. \return false if that contradicts earlier declarations
   [[nodiscard]] bool join(Index v, Index w, const LatticeVector& shift);
   Index representative(Index v);
-  /// Of v from its representative.
+  /// The shift to v from its representative.
   LatticeVector offset(Index v);
 
  private:

@@ -8,19 +8,19 @@
 
 namespace multimesh {
 
-/// The lists are properties of their meshes: they grow with them, and move along when they are compacted.
+/// The lists are properties of their meshes: they grow with them, and are compacted with them.
 struct TetDomain::Data {
   std::unique_ptr<MultiMesh> tree;
   tet::TetMesh* mesh = nullptr;
   tet::Property<Point>* points = nullptr;
   tet::Property<Tag>* regions = nullptr;
-  tet::Property<Index>* copy_of = nullptr;  // of vertices that are one input point: its index + 1; else 0
-  tet::Property<char>* locked_by_cut = nullptr;        // of vertices: nothing but a copied edge locks it
-  tet::SimplexProperty<char>* copied_edges = nullptr;  // that occur more than once, or are sides of a parted
-                                                       // face
-  tet::SimplexProperty<char>* parted_faces = nullptr;  // that occur more than once
+  tet::Property<Index>* copy_of = nullptr;  // per vertex with copies: its input point's index + 1; else 0
+  tet::Property<char>* locked_by_cut = nullptr;        // per vertex: only a copied edge locks it
+  tet::SimplexProperty<char>* copied_edges = nullptr;  // edges that occur more than once, or are sides of a
+                                                       // parted face
+  tet::SimplexProperty<char>* parted_faces = nullptr;  // faces that occur more than once
   tet::Property<Index>* fixed =
-      nullptr;  // of vertices in the list of fixed points: the place there + 1; else 0
+      nullptr;  // per vertex in the list of fixed points: its position there + 1; else 0
   tet::Property<Tag>* point_tags = nullptr;
   tet::Property<std::uint8_t>* tet_flags = nullptr;
   std::vector<Tag> fixed_tags;  // per fixed point of the input; so are the flags
@@ -28,7 +28,7 @@ struct TetDomain::Data {
   std::optional<NodeId> surface, curves;
   std::vector<Tag>* patches = nullptr;  // per triangle of the surface; so are the flags
   std::vector<std::uint8_t>* triangle_flags = nullptr;
-  std::vector<char>* implied = nullptr;    // per triangle of the surface: it is there as boundary only
+  std::vector<char>* implied = nullptr;    // per triangle of the surface: present only as boundary
   std::vector<Tag>* curve_tags = nullptr;  // per edge of the curves; so are the flags
   std::vector<std::uint8_t>* curve_flags = nullptr;
   TetDomainReport report;
@@ -38,7 +38,7 @@ struct TetDomain::Data {
   }
 };
 
-/// How the root and the input belong together.
+/// How the root relates to the input.
 struct JoinedMesh {
   std::vector<Index> source;  // per root vertex: its input point
   tet::SimplexMap beyond;     // of parted faces, by their root vertices: a tetrahedron of another copy
@@ -46,11 +46,11 @@ struct JoinedMesh {
 
 /// Makes the root.
 JoinedMesh add_tetrahedra(const TaggedTetrahedra& input, TetDomain::Data& out);
-/// Finds the edges and faces that the cut has made several of.
+/// Finds the edges and faces of which the cut has made several copies.
 void find_copies(TetDomain::Data& out, JoinedMesh& joined);
 void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
                  TetDomain::Data& out);
-/// Flags of simplex i of a list, or of one that is not in it: i is no_index.
+/// Flags of simplex i of a list; i == no_index: of a simplex that is not in it.
 inline std::uint8_t flags_of(const std::vector<std::uint8_t>& flags, Index i) {
   if (i == no_index) return unlisted_simplex;
   return flags.empty() ? std::uint8_t{0} : flags[i];

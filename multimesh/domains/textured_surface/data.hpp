@@ -9,7 +9,7 @@
 
 namespace multimesh {
 
-/// The lists are OpenMesh properties: they grow with their mesh, and move along when it is compacted.
+/// The lists are OpenMesh properties: they grow with their mesh, and are compacted with it.
 struct TexturedSurface::Data {
   std::unique_ptr<MultiMesh> tree;
   std::vector<NodeId> textures;               // by set
@@ -38,9 +38,9 @@ struct TexturedSurface::Data {
   }
 };
 
-/// Makes the root, and gives back how the input was cut.
+/// Makes the root, and returns how the input was cut.
 Cut add_surface(const TexturedTriangles& input, TexturedSurface::Data& out);
-/// Adds the texture of a set. \pre its sets before it have been added
+/// Adds the texture of a set. \pre the sets before it have been added
 void add_texture(const TexturedTriangles& input, const Cut& surface, std::size_t set,
                  TexturedSurface::Data& out);
 /// Adds the curves of all kinds. \pre all textures have been added
