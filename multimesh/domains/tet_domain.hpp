@@ -51,9 +51,9 @@ struct TetDomainOptions {
 
 /// What had to be changed in the input, and what of it was left out.
 struct TetDomainReport {
-  std::size_t copied_vertices = 0;  ///< copies made of points at which the mesh is not manifold
-  std::size_t reversed_tets = 0;  ///< reversed to agree with their neighbours or to have positive volume
-  std::size_t inverted_tets = 0;  ///< with negative or no volume, after that
+  std::size_t copied_vertices = 0;    ///< copies made of points at which the mesh is not manifold
+  std::size_t reversed_tets = 0;      ///< reversed to agree with their neighbours or to have positive volume
+  std::size_t inverted_tets = 0;      ///< with negative or no volume, after that
   std::size_t missing_triangles = 0;  ///< tagged triangles that are not a face of a tetrahedron
   std::size_t missing_edges = 0;      ///< tagged edges that are not an edge of a tetrahedron
   std::size_t missing_points = 0;     ///< fixed points that are not a vertex of a tetrahedron
