@@ -8,7 +8,7 @@
 namespace multimesh {
 
 struct BettiNumbers {
-  std::size_t components = 0;  ///< connected, if only at one point
+  std::size_t components = 0;  ///< connected, possibly at only one point
   std::size_t handles = 0;     ///< independent loops, modulo 2
 };
 

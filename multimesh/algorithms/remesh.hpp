@@ -11,20 +11,20 @@
 namespace multimesh {
 
 struct RemeshOptions {
-  /// The edge length wanted, in the units of the positions. Must be given.
+  /// The requested edge length, in the units of the positions. Must be given.
   double length = 0;
   /// Rounds of split, collapse, swap and smoothing.
   int iterations = 10;
-  /// Above so many faces, by expected_faces(), nothing is begun.
+  /// If more faces are expected, by expected_faces(), the mesh is refused before any change.
   std::size_t max_faces = 50'000'000;
   /// Called after each round with its number, from 1 on. May throw: the tree is valid then.
   std::function<void(int round)> progress;
-  /// Called between rounds: others may operate on the tree if their operations carry these attributes and
-  /// leave the surface the same set of points.
+  /// Called between rounds. Other code may then operate on the tree if its operations carry these attributes
+  /// and leave the surface the same set of points.
   std::function<void(int round, std::span<Attribute* const> carried)> between_rounds;
 };
 
-/// Of a TexturedSurface.
+/// For a TexturedSurface.
 struct SurfaceRemeshOptions : RemeshOptions {
   bool lock_boundary = false;  ///< boundary edges and their vertices stay as they are
   bool lock_seams = false;     ///< the same for seams, positions and texture coordinates
@@ -33,32 +33,32 @@ struct SurfaceRemeshOptions : RemeshOptions {
 struct RemeshResult {
   std::size_t splits = 0, collapses = 0, swaps = 0, moves = 0;
   std::size_t edges = 0;             ///< of the surface, at the end
-  std::size_t edges_in_range = 0;    ///< of these, as long as 4/5 to 4/3 of the length wanted
+  std::size_t edges_in_range = 0;    ///< of these, those within 4/5 to 4/3 of the requested length
   double shortest = 0, longest = 0;  ///< of these
   double seconds = 0;                ///< by the wall clock
 };
 
-/// How many faces a surface will have with edges of this length, about: those that its area asks for, and one
-/// per edge of its boundary. Infinite if it is too many for a double. Cost: linear.
+/// The approximate number of faces of a surface with edges of this length: those that its area requires, and
+/// one per edge of its boundary. Infinite if it is too large for a double. Cost: linear.
 double expected_faces(const Mesh& surface, const Coordinates& positions, double length);
 double expected_faces(const TexturedSurface& surface, double length);
 
 /// Whether the length was reached: at least 90 % of the edges are in range, none is longer than twice the
-/// length or shorter than a quarter of it. Lines and vertices that stay may stand in the way.
+/// length or shorter than a quarter of it. Curves and vertices that stay may prevent it.
 bool length_reached(const RemeshResult& result, double length);
 
-/// Isotropic remeshing of a surface, wherever it is in a tree: edges come to have one length, triangles good
-/// angles, vertices about six neighbours. What the tree has besides goes along: each seam of a mesh below,
-/// each curve and each boundary stays a line of the same topology; it is split, collapsed along itself and
-/// smoothed along itself. Vertices where such lines end, meet or change stay where they are, as do locked
+/// Isotropic remeshing of a surface, anywhere in a tree: gives all edges about the same length, triangles
+/// good angles, vertices about six neighbours. The rest of the tree follows: each seam of a mesh below, each
+/// curve and each boundary stays a curve of the same topology. It is split, collapsed along itself and
+/// smoothed along itself. Vertices where such curves end, meet or change stay where they are, as do locked
 /// ones; special edges between two locked vertices are not split.
 ///
-/// Positions end on the input's surface and curves, and charts below have the coordinates that the input has
-/// at that point. No triangle turns its normal over; none of a chart flips or loses its area. What else may
-/// not happen is for the embedding to say.
+/// At the end, positions are on the input's surface and curves, and charts below have the coordinates of the
+/// input at that point. No triangle reverses its normal; none of a chart flips or loses its area. The
+/// embedding adds further conditions.
 ///
-/// \throw UsageError if the mesh is no surface or has no coordinates in space; InputError for options out of
-/// range, or if more faces are expected than options.max_faces. Cost: O(n log n) per round.
+/// \throw UsageError if the mesh is not a surface or has no coordinates in space; InputError for options out
+/// of range, or if more faces are expected than options.max_faces. Cost: O(n log n) per round.
 /// Source: Botsch, Kobbelt, A remeshing approach to multiresolution modeling, 2004.
 RemeshResult remesh(const Embedding& embedding, NodeId surface, const RemeshOptions& options);
 

@@ -9,14 +9,14 @@
 
 namespace multimesh {
 
-/// What one mesh of a tree is. Counted over live simplices; isolated vertices are left out.
+/// The sizes and the topology of one mesh of a tree. Counts live simplices; isolated vertices are left out.
 struct MeshReport {
   int dimension = 2;
   std::size_t vertices = 0, edges = 0, faces = 0;  ///< faces: 0 in dimension 1
   std::size_t components = 0;
   long euler_characteristic = 0;
   std::size_t boundary = 0;  ///< boundary loops (dimension 2) or end points (dimension 1)
-  /// Of all components together: (2 components - boundary loops - Euler characteristic) / 2. Dimension 2.
+  /// For all components together: (2 components - boundary loops - Euler characteristic) / 2. Dimension 2.
   long genus = 0;
 };
 
@@ -33,7 +33,7 @@ using SeamReport = CurveReport;
 
 /// The edges with at least one of the kinds. Other kinds that begin or end on a curve do not divide it.
 CurveReport report_curves(const TexturedSurface& surface, CurveKinds kinds);
-/// The seams of a set of texture coordinates: edges of the surface's interior at which it is cut open or
+/// The seams of a set of texture coordinates: interior edges of the surface at which the set is cut open or
 /// ends.
 SeamReport report_seams(const TexturedSurface& surface, std::size_t set = 0);
 /// Sharp edges, if the surface was made with a feature angle.
@@ -45,7 +45,7 @@ struct UvSetReport {
   std::optional<SeamReport> seams;
 };
 
-/// All meshes of a textured surface; none where it has none.
+/// All meshes of a textured surface; none for those that it does not have.
 struct SurfaceReport {
   MeshReport surface;
   std::optional<MeshReport> texture;  ///< of set 0; its components are the charts
@@ -56,10 +56,10 @@ struct SurfaceReport {
 
 SurfaceReport report(const TexturedSurface& surface);
 
-/// How far from manifold the triangles of an input are, as given.
+/// How far the triangles of an input, as given, are from manifold.
 struct ManifoldReport {
   std::size_t edges_with_three_or_more = 0;
-  std::size_t inconsistent_edges = 0;  ///< two triangles that run along it in the same direction
+  std::size_t inconsistent_edges = 0;  ///< edges along which two triangles run in the same direction
   std::size_t cut_vertices = 0;        ///< vertices at which the surface had to be cut
 };
 

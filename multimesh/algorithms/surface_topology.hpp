@@ -20,10 +20,10 @@ struct SurfaceTopology {
       0;  ///< seam edges, of all sets, whose two sides have the same texture coordinates
 };
 
-/// Cost: linear, but for edges between copies, which are sorted.
+/// Cost: linear, except for edges between copies, which are sorted.
 SurfaceTopology topology_of(const TexturedSurface& surface);
 
-/// What is not as it was, a sentence each. Numbers of simplices do not count.
+/// The differences, one sentence each. Numbers of simplices do not count.
 std::vector<std::string> differences(const SurfaceTopology& before, const SurfaceTopology& after);
 
 }  // namespace multimesh

@@ -7,8 +7,8 @@
 
 namespace multimesh {
 
-/// Locks the ends of edges of a surface as long as it lives: those in the boundary, if asked, and those with
-/// any of some kinds of curve.
+/// Locks the ends of edges of a surface during its lifetime: of boundary edges, if requested, and of edges
+/// with any of the given kinds of curve.
 class VertexLocks {
  public:
   VertexLocks(TexturedSurface& surface, bool boundary, CurveKinds curves);

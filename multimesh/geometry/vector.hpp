@@ -9,7 +9,7 @@
 
 namespace multimesh {
 
-/// A point or vector of N coordinates, in space or in the plane. Vec() leaves them open, Vec{} makes them 0.
+/// A point or vector of N coordinates, in space or the plane. Vec() leaves them open, Vec{} sets them to 0.
 template <std::size_t N>
 struct Vec : std::array<double, N> {
   Vec() = default;

@@ -5,8 +5,8 @@
 
 namespace multimesh::comparison {
 
-/// Per triangle the least triangle of its chart: triangles are of one chart if they, and no third one, meet
-/// in an edge of the texture, and agree in orientation there. A triangle without texture is alone.
+/// Per triangle the least triangle of its chart. Triangles are in one chart if they, and no third one, meet
+/// in an edge of the texture, and agree in orientation there. A triangle without texture is a chart alone.
 std::vector<Index> charts(const TexturedTriangles& surface, const EdgeSides& sides);
 
 /// Per triangle the sum of `weight` over its chart.
@@ -16,11 +16,11 @@ std::vector<double> sum_over_charts(const std::vector<Index>& chart, const std::
 std::vector<double> uv_areas(const TexturedTriangles& surface);
 
 struct Flips {
-  std::size_t flipped = 0;    ///< triangles whose area has not the sign of their `orientation`
-  std::size_t zero_area = 0;  ///< triangles whose area is `tolerance` or less; not flipped
+  std::size_t flipped = 0;    ///< triangles whose area does not have the sign of their `orientation`
+  std::size_t zero_area = 0;  ///< triangles whose area is at most `tolerance`; not counted as flipped
 };
 
-/// Of the textured triangles; `orientation` per triangle of the surface.
+/// For the textured triangles; `orientation` per triangle of the surface.
 Flips count_flips(const TexturedTriangles& surface, const std::vector<double>& orientation, double tolerance);
 
 }  // namespace multimesh::comparison

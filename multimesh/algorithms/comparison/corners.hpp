@@ -31,7 +31,7 @@ inline spatial::Triangle in_texture(const TexturedTriangles& s, const Corners& t
   return {in_space(texcoord(s, t[0])), in_space(texcoord(s, t[1])), in_space(texcoord(s, t[2]))};
 }
 
-/// Signed, of a triangle of the UV plane.
+/// The signed area of a triangle of the UV plane.
 inline double signed_area(const spatial::Triangle& t) {
   return ((t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[2][0] - t[0][0]) * (t[1][1] - t[0][1])) / 2;
 }

@@ -7,14 +7,14 @@
 
 namespace multimesh::comparison {
 
-/// A triangle at one of its edges, its ends in the order of their positions' numbers.
+/// A triangle at one of its edges; the edge's ends in the order of their positions' numbers.
 struct EdgeSide {
   Index triangle;
   TexturedTriangles::Corner low, high;
   bool forward;  ///< the triangle runs from low to high
 };
 
-/// The sides of all edges of a surface, as it is given; nothing is cut.
+/// The sides of all edges of a surface as given; nothing is cut.
 class EdgeSides {
  public:
   explicit EdgeSides(const TexturedTriangles& surface);
@@ -28,7 +28,7 @@ class EdgeSides {
     }
   }
 
-  /// Both are textured, and by the same points of the texture: no seam runs between them.
+  /// Whether both are textured by the same points of the texture, so that no seam runs between them.
   bool same_texture(const EdgeSide& a, const EdgeSide& b) const;
 
  private:
@@ -39,14 +39,14 @@ class EdgeSides {
   std::vector<EdgeSide> sides_;
 };
 
-/// The points of the texture on both sides of an edge of the surface's interior, at both ends.
+/// The points of the texture on both sides of an interior edge of the surface, at both ends.
 struct SeamEdge {
   std::array<Vec3, 2> position;
-  std::array<Index, 2> triangle;  ///< on the left, on the right
+  std::array<Index, 2> triangle;  ///< on the left and on the right
   std::array<Vec2, 2> left, right;
 };
 
-/// Edges with two textured sides that differ.
+/// Edges whose two sides are textured and differ.
 std::vector<SeamEdge> seam_edges(const TexturedTriangles& surface, const EdgeSides& sides);
 
 }  // namespace multimesh::comparison

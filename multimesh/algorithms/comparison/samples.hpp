@@ -13,9 +13,9 @@ struct Sample {
   std::array<double, 3> barycentric;
 };
 
-/// `count` points, uniform over the area: the area is cut into `count` equal parts, triangle after triangle,
-/// and each has one point. The same seed gives the same points on every machine. Ordered by triangle; none
-/// if there is no area.
+/// `count` points, uniform over the area: the area is divided into `count` equal parts, triangle after
+/// triangle, and each part gets one point. The same seed gives the same points on every machine. Ordered by
+/// triangle; none if there is no area.
 std::vector<Sample> sample(const TexturedTriangles& surface, std::size_t count, std::uint64_t seed);
 
 }  // namespace multimesh::comparison

@@ -13,36 +13,36 @@ namespace multimesh::comparison {
 struct TexturedPoint {
   Vec3 position;
   Vec2 uv;
-  Index triangle = no_index;  ///< that it is a point of
+  Index triangle = no_index;  ///< to which the point belongs
 };
 
-/// Those of the samples that lie on textured triangles.
+/// The samples that lie on textured triangles.
 std::vector<TexturedPoint> textured_points(const TexturedTriangles& surface,
                                            const std::vector<Sample>& samples);
 
-/// Per point the place of the original that is painted there.
+/// Per point the place of the original whose content is drawn there.
 std::vector<TextureMap::Place> painted(const TextureMap& map, const std::vector<TexturedPoint>& points,
                                        unsigned threads);
 
-/// The centroids of the textured triangles of the other surface, and what is painted there.
+/// The centroids of the textured triangles of the other surface, and what is drawn there.
 struct PaintedCentroids {
   std::vector<TexturedPoint> points;
   std::vector<TextureMap::Place> places;
 };
 PaintedCentroids painted_centroids(const TexturedTriangles& other, const TextureMap& map, unsigned threads);
 
-/// Which charts of the original those of the other surface are made of.
+/// The charts of the original to which those of the other surface correspond.
 class ChartPairs {
  public:
-  /// `original`, `other`: their charts, per triangle. A chart belongs to that of the original that is painted
-  /// on most of it, where what is painted close to its place counts more: a strip along the edge may lie in a
-  /// neighbour of the atlas.
+  /// `original`, `other`: their charts, per triangle. A chart is paired with the original's chart that is
+  /// drawn on most of it. Places drawn close to where they belong count more, because a strip along the edge
+  /// may lie in a neighbour of the atlas.
   ChartPairs(const std::vector<Index>& original, const TexturedTriangles& other,
              const std::vector<Index>& other_chart, const PaintedCentroids& centroids, double diagonal);
 
-  /// From the places that are painted at points to those that are meant: where that is of another chart of
-  /// the original, and the nearest point of the own one is nearer to the point, that one.
-  /// \return how many points lie outside of their own chart, by more than TextureMap::rounding()
+  /// Moves the places drawn at points into the charts of the points: where a place is in another chart of the
+  /// original, and the nearest place of the point's own chart is nearer to the point, takes the latter.
+  /// \return how many points lie outside their own chart by more than TextureMap::rounding()
   std::size_t move_into_charts(const TextureMap& map, const std::vector<TexturedPoint>& points,
                                std::vector<TextureMap::Place>& places, unsigned threads) const;
 
@@ -51,7 +51,7 @@ class ChartPairs {
   std::vector<Index> own_;  // per triangle of the other surface
 };
 
-/// `count` points in equal distances along the seams, on the left and on the right side.
+/// `count` equidistant points along the seams, on the left and on the right side.
 struct SeamPoints {
   std::vector<TexturedPoint> left, right;
 };

@@ -39,7 +39,7 @@ struct PositionForm {
   double trace() const { return xx + yy + zz; }
 };
 
-/// The least point of x'Ax + 2 f.x; 0 if A is singular.
+/// The minimizer of x'Ax + 2 f.x; 0 if A is singular.
 inline Vec3 minimum(const PositionForm& a, const Vec3& f) {
   const double xx = a.yy * a.zz - a.yz * a.yz, xy = a.xz * a.yz - a.xy * a.zz, xz = a.xy * a.yz - a.xz * a.yy;
   const double yy = a.xx * a.zz - a.xz * a.xz, yz = a.xy * a.xz - a.xx * a.yz, zz = a.xx * a.yy - a.xy * a.xy;
@@ -48,8 +48,8 @@ inline Vec3 minimum(const PositionForm& a, const Vec3& f) {
   return PositionForm{xx, xy, xz, yy, yz, zz}.times(f) / -determinant;
 }
 
-/// 2 x'My + y'Sy, x a displacement in space and y one in the texture: what a PositionForm lacks to be a form
-/// in both.
+/// 2 x'My + y'Sy, x a displacement in space and y one in the texture: the terms that a PositionForm lacks to
+/// be a form in both.
 struct TextureForm {
   double xu = 0, xv = 0, yu = 0, yv = 0, zu = 0, zv = 0;
   double uu = 0, uv = 0, vv = 0;
@@ -82,7 +82,7 @@ struct TextureForm {
 };
 
 /// x'Ax + 2 b.x + c, x the displacement from a vertex: squared distances from planes that need not pass
-/// through it. In single precision, so of a surface of about size 1: it is only ever added to, and guides
+/// through it. In single precision, so for a surface of about size 1: it is only ever added to, and used
 /// where exactness does not matter.
 class PlanesForm {
  public:
@@ -94,7 +94,7 @@ class PlanesForm {
   Vec3 linear() const { return {b_[0], b_[1], b_[2]}; }
   double operator()(const Vec3& x) const { return quadratic()(x) + 2 * dot(linear(), x) + c_; }
 
-  /// The same planes, seen from a vertex that has moved by x.
+  /// The same planes, relative to a vertex that has moved by x.
   void move(const Vec3& x) {
     const Vec3 b = linear() + quadratic().times(x);
     c_ = static_cast<float>((*this)(x));

@@ -9,9 +9,9 @@
 
 namespace multimesh::decimation {
 
-/// A few triangles that are asked together which of them are within a distance of a point. A triangle is
-/// convex and so is the distance from it: if it is near the corners of another one, then it is near all of
-/// that.
+/// A few triangles that are queried together for those within a distance of a point. A triangle is convex and
+/// so is the distance from it: if it is near the corners of another triangle, it is near all of that
+/// triangle.
 class NearTriangles {
  public:
   using Mask = std::uint64_t;  ///< bit i stands for triangle i
@@ -19,7 +19,7 @@ class NearTriangles {
 
   struct Near {
     Mask mask = 0;
-    std::size_t nearest = 0;  ///< of those in the mask
+    std::size_t nearest = 0;  ///< among those in the mask
   };
 
   explicit NearTriangles(double distance) : distance_(distance), squared_distance_(distance * distance) {}
@@ -31,10 +31,10 @@ class NearTriangles {
   /// Forgets all but the first n.
   void shrink(std::size_t n) { size_ = n; }
 
-  /// Of the triangles from `first` on, those near p; for one at that very distance, rounding decides.
+  /// Of the triangles from `first` on, those near p; at exactly that distance, rounding decides.
   Near near(const Vec3& p, std::size_t first = 0) const;
-  /// On the way from p to q, t = 0 to 1: the last t at which one of these triangles that p is above or below
-  /// is left; 0 if there is none, 1 if one reaches as far as q.
+  /// Going from p to q, t = 0 to 1: the last t at which the path leaves one of these triangles above or below
+  /// which p lies; 0 if there is none, 1 if one reaches as far as q.
   double leaves(Mask triangles, const Vec3& p, const Vec3& q) const;
 
  private:
@@ -45,7 +45,7 @@ class NearTriangles {
     spatial::Triangle triangle;
     Vec3 normal;
     std::array<Vec3, 3> outward;
-    bool is_fat;  ///< enough for the normal to be exact
+    bool is_fat;  ///< enough for its normal to be exact
   };
   static Entry entry(Index name, const spatial::Triangle& triangle);
   static double leaves(const Entry& e, const Vec3& p, const Vec3& q);

@@ -8,7 +8,7 @@
 
 namespace multimesh::decimation {
 
-/// A condition on the place of a merged vertex, asked on the predicted star before anything is touched.
+/// A condition on the place of a merged vertex, evaluated on the predicted star before anything is touched.
 class PlacementTest {
  public:
   explicit PlacementTest(std::string name) : name_(std::move(name)) {}
@@ -19,7 +19,7 @@ class PlacementTest {
   const std::string& name() const noexcept { return name_; }
   /// \pre star.place(plan) was called
   virtual bool allows(const PredictedStar& star, const CollapsePlan& plan) = 0;
-  /// Called after the collapse, if the test keeps something per triangle.
+  /// Called after the collapse, for tests that store something per triangle.
   virtual void collapsed(const PredictedStar&, const CollapsePlan&) {}
 
  private:

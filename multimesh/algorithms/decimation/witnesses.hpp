@@ -8,13 +8,13 @@
 
 namespace multimesh::decimation {
 
-/// Which triangles of the current surface are kept as near to each triangle of the input, a few at most, and
-/// the way back. At first there are none. Both surfaces use the same indices.
+/// Stores for each triangle of the input which triangles of the current surface are near it, a few at most,
+/// and the inverse. Initially there are none. Both surfaces use the same indices.
 class Witnesses {
  public:
-  /// With three, decimation was seen to end with a third more triangles; more than six made no difference.
+  /// With three, decimation ended with a third more triangles; more than six made no difference.
   static constexpr std::size_t most = 6;
-  /// Different from each other; no_index in the places that are not used.
+  /// Pairwise different; no_index in unused places.
   using Set = std::array<Index, most>;
 
   explicit Witnesses(std::size_t triangles) : first_(triangles, no_index), slots_(most * triangles) {}
@@ -31,7 +31,7 @@ class Witnesses {
       link(s, witnesses[i]);
     }
   }
-  /// Whether holds(input) for all triangles of the input that this one is a witness of.
+  /// Whether holds(input) for all triangles of the input of which this one is a witness.
   template <class Predicate>
   bool all_of(Index witness, Predicate holds) const {
     for (Index s = first_[witness]; s != no_index; s = slots_[s].next)

@@ -11,9 +11,9 @@ namespace multimesh::improvement {
 enum class Kind : std::uint8_t { split, collapse, edge_swap, face_swap, smoothing };
 inline constexpr std::size_t n_kinds = 5;
 
-/// Why a candidate was not taken. Those up to `legality` cost a look at the star and touch nothing.
+/// Why a candidate was not taken. Reasons up to `legality` cost only reading the star and change nothing.
 enum class Why : std::uint8_t {
-  worse,     ///< the worst tetrahedron would not get better
+  worse,     ///< the worst tetrahedron would not improve
   inverted,  ///< one would be inverted or flat
   held,      ///< the surface, a curve, a locked vertex or region would change
   length,    ///< an edge would be too long or too short

@@ -8,22 +8,22 @@
 
 namespace multimesh::improvement {
 
-/// Where a vertex of the surface or of a curve may go so that surface and curves stay the same sets of
+/// Where a vertex of the surface or of a curve may move so that surface and curves stay the same sets of
 /// points, exactly: within the plane of its faces, if all of them lie in one; along its curve, if that is
-/// straight there and each sheet of the surface at it is plane. Plane and straight are what Flatness says.
+/// straight there and each sheet of the surface at it is plane. Flatness defines plane and straight.
 class ExactPlace {
  public:
   explicit ExactPlace(const Workspace& work) : work_(work), flatness_(work.flatness()) {}
 
-  /// Reads the held faces and curves at the vertex of a dart.
-  /// \return false if they are not flat, or it is fixed: it must stay then
+  /// Reads the held faces and curves at the vertex of a dart. \return false if they are not flat, or the
+  /// vertex is fixed: it must stay then
   bool read(Dart at_v);
 
-  /// Whether v may go to `p`. \pre read() returned true
+  /// Whether v may move to `p`. \pre read() returned true
   bool allows(const Vec3& p) const { return allows(p, no_index); }
   /// Whether v may be merged into b, along a held face or along its curve.
   bool allows_merging(Index b) const;
-  /// Coordinate axes along which v may move (by how much is for allows() to say).
+  /// Coordinate axes along which v may move (allows() says how far).
   std::array<bool, 3> axes() const;
 
  private:
@@ -51,16 +51,16 @@ class ExactPlace {
   std::vector<Index> seen_;
 };
 
-/// Whether four points, two of faces (a,b,x) and (a,b,y), may exchange the edge a-b for x-y without changing
-/// the set of points: they are coplanar, and the quadrangle a x b y is strictly convex.
+/// Whether the edge a-b of faces (a,b,x) and (a,b,y) may be replaced by x-y without changing the set of
+/// points: the four points are coplanar, and the quadrangle a x b y is strictly convex.
 bool may_exchange_diagonals(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y,
                             Flatness flatness = {});
 
 /// Whether the faces (a,b,x) and (a,b,y) lie in one plane, on different sides of a-b.
 bool lies_flat(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, Flatness flatness = {});
 
-/// Whether they do, and a vertex at m in place of the middle of a-b leaves their set of points as it is.
-/// Exactly.
+/// Whether they do, and replacing the middle of a-b by a vertex at m leaves their set of points unchanged,
+/// exactly.
 bool lies_flat_split_at(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y, const Vec3& m);
 
 }  // namespace multimesh::improvement

@@ -11,19 +11,19 @@
 
 namespace multimesh::improvement {
 
-/// Remembers refused candidates, so that none is asked again until something around it has changed. Each
-/// vertex has a number that stands for the present state of its star; a state that an undone trial brings
-/// back gets its old number back. The memory of candidates is a table of fixed size in which later ones
-/// replace earlier ones: what is forgotten is only asked once more.
+/// Remembers refused candidates, so that none is tried again until something around it has changed. Each
+/// vertex has a number for the current state of its star; when undoing a trial restores a state, it also
+/// restores the old number. Candidates are stored in a table of fixed size in which later ones replace
+/// earlier ones: a forgotten candidate is only tried once more.
 class Refusals {
  public:
   using State = std::uint32_t;
 
-  /// \param tets about how many there are
+  /// \param tets approximate number of tetrahedra
   explicit Refusals(std::size_t tets);
 
   State state(Index v) const { return of(Layer::star, v); }
-  /// The stars of these vertices have changed; the surface and the curves at them, too, or not.
+  /// Call when the stars of these vertices have changed; `surface`: also the surface and the curves at them.
   void change(const std::vector<Index>& vertices, bool surface);
 
   /// Whether this operation on the edge (a,b) was refused in the present state of the star of a.
@@ -32,10 +32,10 @@ class Refusals {
     return e.key == key(kind, a, b) && e.state == state(a);
   }
   void note(Kind kind, Index a, Index b) { table_[place(kind, a, b)] = {key(kind, a, b), state(a)}; }
-  /// What is demanded of candidates has become less.
+  /// Call when less is demanded of candidates.
   void forget() { std::fill(table_.begin(), table_.end(), Entry{}); }
 
-  /// Whether this vertex was found to be held by the present surface around it: not to be moved, nor merged.
+  /// Whether the present surface around this vertex holds it: it can be neither moved nor merged.
   bool knows_held(Index v) const {
     return v < held_.size() && held_[v] != 0 && held_[v] == of(Layer::surface, v);
   }
@@ -77,7 +77,7 @@ class Refusals {
   State last_ = 0;
   std::vector<Entry> table_;
   unsigned shift_ = 0;
-  std::vector<Change> log_;  ///< of the trials that are under way
+  std::vector<Change> log_;  ///< of the trials in progress
   int depth_ = 0;
 };
 

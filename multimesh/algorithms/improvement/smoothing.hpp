@@ -11,20 +11,20 @@ namespace multimesh::improvement {
 /// A triangle (p,q,r) seen from a vertex v: (v,p,q,r) is a tetrahedron of positive orientation.
 using Opposite = std::array<Vec3, 3>;
 
-/// Along which coordinate axes the vertex may move.
+/// The coordinate axes along which the vertex may move.
 using Axes = std::array<bool, 3>;
 
-/// Where a vertex is best among its tetrahedra: minimizes the sum of the cubes of their AMIPS energies, which
-/// the worst of them dominates, by Newton's method with the exact gradient and Hessian and a backtracking
-/// line search that stays where all are positive. Starts from `start`, or, if one is inverted or flat there
-/// in floating point, from the mean of the corners around. \return the place; `start` where nothing was
-/// gained. Cost: up to 10 steps of some 100 ns per tetrahedron
-/// \param sharpness power of the cubed energies: the higher, the more the worst one alone counts
+/// The best place of a vertex among its tetrahedra: minimizes the sum of the cubes of their AMIPS energies,
+/// which the worst of them dominates, by Newton's method with the exact gradient and Hessian and a
+/// backtracking line search that stays where all are positive. Starts from `start`, or, if one is inverted or
+/// flat there in floating point, from the mean of the corners around. \return the place; `start` if there
+/// was no gain. Cost: up to 10 steps of some 100 ns per tetrahedron
+/// \param sharpness power of the cubed energies: the higher, the more the worst one dominates
 Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axes = {true, true, true},
                 int sharpness = 1);
 
-/// The greatest cubed energy of the tetrahedra (v,p,q,r); +infinity if one has no positive orientation,
-/// exactly. Stops, with any number from there on, once it reaches `limit`.
+/// The greatest cubed energy of the tetrahedra (v,p,q,r); +infinity if one does not have positive
+/// orientation, exactly. Once it reaches `limit`, stops and returns any number from `limit` on.
 double worst_quality(const Vec3& v, const std::vector<Opposite>& around, double limit);
 
 }  // namespace multimesh::improvement

@@ -10,11 +10,11 @@
 
 namespace multimesh::remeshing {
 
-/// Where the corners of a triangle are.
+/// The positions of the corners of a triangle.
 using Corners = std::array<Vec3, 3>;
 
-/// Whether keeps(before, after) is true of all triangles around a vertex, its star, if it goes to `to`. Those
-/// with `without` are left out.
+/// Whether keeps(before, after) holds for all triangles around a vertex, its star, if it moves to `to`.
+/// Triangles that contain `without` are left out.
 template <class Keeps>
 bool keeps_around(const Mesh& mesh, const Coordinates& at, const DartBuffer& star, const Vec3& to,
                   Index without, Keeps keeps) {
@@ -27,7 +27,7 @@ bool keeps_around(const Mesh& mesh, const Coordinates& at, const DartBuffer& sta
   });
 }
 
-/// The triangles at an inner edge (a, b), and those that a swap makes of them.
+/// The triangles at an inner edge (a, b), and those that replace them in a swap.
 struct Swapped {
   Corners left, right, low, high;
 
@@ -39,7 +39,7 @@ struct Swapped {
     const Vec3 a = at.at(v[0]), b = at.at(v[1]), l = at.at(v[2]), r = at.at(w[2]);
     left = {a, b, l}, right = {b, a, r}, low = {a, r, l}, high = {r, b, l};
   }
-  /// Whether keeps(before, after) is true of each of them beside each of those.
+  /// Whether keeps(before, after) holds for each pair of a triangle before and one after.
   template <class Keeps>
   bool keeps_all(Keeps keeps) const {
     return keeps(left, low) && keeps(left, high) && keeps(right, low) && keeps(right, high);

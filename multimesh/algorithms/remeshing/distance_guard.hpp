@@ -8,10 +8,10 @@
 
 namespace multimesh::remeshing {
 
-/// Keeps the surface near the input, and the input near the surface. Points of the input, its vertices and so
-/// many more that they are dense, each belong to a triangle that is near; when triangles change, their points
-/// must be near one of those that are there then. Triangles that bend away from their neighbours are asked
-/// the other way round, too.
+/// Keeps the surface near the input, and the input near the surface. Points of the input (its vertices, and
+/// enough others to be dense) each belong to a triangle that is near. When triangles change, their points
+/// must be near one of the triangles that replace them. Triangles that bend away from their neighbours are
+/// also checked in the other direction.
 class DistanceGuard {
  public:
   /// `bound`: distance; `spacing`: of the points. Cost: linear, and in area / spacing^2
@@ -20,13 +20,13 @@ class DistanceGuard {
 
   /// Takes the points of triangles that are about to change.
   void take(const DartBuffer& triangles);
-  /// Gives them to the triangles that are there now, if all of them are near enough. Else nothing is done.
+  /// Assigns them to the current triangles, if all points are near enough. Otherwise does nothing.
   bool settle(const DartBuffer& triangles);
-  /// Gives them to the triangles that are there now, which are parts of what was there.
+  /// Assigns them to the current triangles, which are parts of the previous ones.
   void hand_on(const DartBuffer& triangles);
-  /// Gives them back to the triangles that had them.
+  /// Returns them to the triangles that had them.
   void give_back();
-  /// Gives all points to the nearest triangles, after others have given these new indices. Cost: O(n log n)
+  /// Assigns all points to the nearest triangles, after other code has renumbered these. Cost: O(n log n)
   void sort_anew();
 
  private:
@@ -56,7 +56,7 @@ class DistanceGuard {
   std::vector<Index> next_;   // per point: one more than the next one of its triangle
   std::vector<Index> first_;  // per triangle: one more than its first point
   double due_ = 0;            // share of the next point
-  double u_ = 0, v_ = 0;      // of the last one
+  double u_ = 0, v_ = 0;      // of the previous one
   std::vector<Taken> taken_;
   std::vector<Candidate> candidates_;
   std::vector<Index> settled_;

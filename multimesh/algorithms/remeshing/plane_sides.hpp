@@ -8,32 +8,32 @@
 
 namespace multimesh::remeshing {
 
-/// Judges triangles of a mesh in the plane. None may change its side, by the exact sign, or lose its area;
-/// one without area may only get some on the side of all others around.
+/// Judges triangles of a mesh in the plane. None may change its orientation, by the exact sign, or lose its
+/// area; one without area may only get the orientation of all others around.
 class PlaneSides {
  public:
   /// Cost: linear.
   PlaneSides(const Mesh& mesh, const Coordinates& at);
 
-  /// As StarShape has them.
+  /// As in StarShape.
   bool allows(Dart vertex, const Vec3& to, Index without = no_index);
   bool allows_swap(Dart edge);
 
-  /// Triangles by their side: of those around edges before a split, of those around the new vertices after
+  /// Counts triangles by orientation: around edges before a split, and around the new vertices after
   /// it.
   struct Count {
     std::size_t left = 0, right = 0, none = 0, tiny = 0;
   };
-  /// Adds those around the k-simplex of d.
+  /// Adds the triangles around the k-simplex of d.
   void count(Dart d, int k, Count& sum);
-  /// Whether none flipped or lost its area when each was halved.
+  /// Whether no triangle flipped or lost its area when each was halved.
   static bool halved(const Count& before, const Count& after);
 
  private:
   Corners triangle(Dart d) const;
-  /// \param none the side that a triangle without area may get
+  /// \param none the orientation that a triangle without area may get
   bool keeps_side(const Corners& before, const Corners& after, int none) const;
-  /// Of the triangles in star_: 0 if they lie on both.
+  /// The orientation of the triangles in star_; 0 if they have both.
   int common_side() const;
 
   const Mesh& mesh_;

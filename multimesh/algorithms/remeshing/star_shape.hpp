@@ -15,8 +15,8 @@ class StarShape {
  public:
   StarShape(const Mesh& mesh, const Coordinates& at) : mesh_(mesh), at_(at) {}
 
-  /// Whether the triangles around a vertex keep their side if it goes to `to`; those with `without` are left
-  /// out. None may turn by much, or get flat.
+  /// Whether the triangles around a vertex keep their side if it moves to `to`; triangles that contain
+  /// `without` are left out. None may turn by much, or become flat.
   bool allows(Dart vertex, const Vec3& to, Index without = no_index);
   /// Whether (a,b,l), (b,a,r) may become (a,r,l), (r,b,l).
   bool allows_swap(Dart edge);
