@@ -14,9 +14,9 @@ struct Piece {
   Index facet;
 };
 
-/// Long thin triangles cut across, so that boxes around the pieces are about as large as these: a point
-/// inside the box of a whole one is as a rule nowhere near it. The others are one piece each. In the order of
-/// the triangles; at most three times as many, and 100,000 more. Cost: linear.
+/// Cuts long thin triangles across, so that boxes around the pieces are about as large as the pieces: a point
+/// inside the box of a whole one is usually nowhere near it. Other triangles are one piece each. In the order
+/// of the triangles; at most three times as many, plus 100,000. Cost: linear.
 std::vector<Piece> pieces(const std::vector<Triangle>& triangles);
 
 }  // namespace multimesh::spatial

@@ -9,16 +9,16 @@
 
 namespace multimesh::openmesh {
 
-/// Per vertex of a mesh that a ManifoldCut has cut, which vertices are copies of one: a property of the mesh.
-/// 0 is that of a vertex without copies; the lowest bit says whether the user had locked the vertex before.
+/// A property of a mesh that a ManifoldCut has cut: per vertex, which vertices are copies of one. 0: a vertex
+/// without copies; the lowest bit says whether the user had locked the vertex before.
 using CutLabel = int;
 constexpr const char* cut_label_name = "multimesh:cut";
 
 /// The labels, or nullptr if the mesh is not cut. They live as long as the property.
 const std::vector<CutLabel>* cut_labels(const OpenMesh::PolyConnectivity& mesh);
 
-/// Refuses new edges of the root that would lie upon others once copies of a vertex are joined again. An edge
-/// between two vertices with copies is taken for one. Cost: the stars of the neighbours that a vertex gains.
+/// Refuses new edges of the root that would coincide with others once copies of a vertex are joined again, or
+/// that join two vertices with copies. Cost: the stars of the neighbours that a vertex gains.
 class CopiesCanBeJoined final : public Invariant {
  public:
   explicit CopiesCanBeJoined(const std::vector<CutLabel>& labels)

@@ -10,19 +10,19 @@
 
 namespace multimesh::openmesh {
 
-/// A mesh type of the user's whose own operations are, once it is told so, those of the tree that it is the
-/// root of: the names of OpenMesh's operations are hidden. Tools that are templates on the mesh (DecimaterT,
-/// McDecimaterT, MixedDecimaterT, LongestEdgeT, smoothers) then change all meshes of the tree, and never see
-/// a stale legality:
+/// A user's mesh type. Once driven, its own operations run on the whole tree whose root it is: they hide
+/// OpenMesh's operations of the same names. Tools that are templates on the mesh (DecimaterT, McDecimaterT,
+/// MixedDecimaterT, LongestEdgeT, smoothers) then change all meshes of the tree, and never use a stale
+/// legality:
 ///
 ///     openmesh::RootMesh<MyMesh> mesh;
 ///     openmesh::Attached attached(mesh);
 ///     mesh.drive(attached);
 ///     OpenMesh::Decimater::DecimaterT<openmesh::RootMesh<MyMesh>> decimater(mesh);
 ///
-/// A refused operation does nothing; ask is_collapse_ok() or is_flip_ok() before, as OpenMesh wants it.
-/// Functions of the base class, and tools that link halfedges by themselves (LoopT, Sqrt3T), pass this by:
-/// the tree notices.
+/// A refused operation does nothing; call is_collapse_ok() or is_flip_ok() before, as OpenMesh requires.
+/// Functions of the base class, and tools that link halfedges themselves (LoopT, Sqrt3T), bypass this; the
+/// tree detects it.
 template <class UserMesh>
 class RootMesh : public UserMesh {
  public:
@@ -34,7 +34,7 @@ class RootMesh : public UserMesh {
   using Point = typename UserMesh::Point;
   using Tree = Attached<RootMesh>;
 
-  /// From now on operations are those of the tree; it must be driven no more before it goes.
+  /// Makes the operations those of the tree. Stop driving before the tree is destroyed.
   void drive(Tree& tree) noexcept { tree_.pointer = &tree; }
   void drive_no_more() noexcept { tree_.pointer = nullptr; }
   /// How many operations the tree has refused.
@@ -59,13 +59,13 @@ class RootMesh : public UserMesh {
     note(tree_->swap(e));
   }
 
-  /// Under a tree a vertex comes to be by the split that it is added for: the next one.
+  /// With a tree, the next split creates the vertex; a vertex may only be added for a split.
   OpenMesh::SmartVertexHandle add_vertex(const Point& p) {
     if (!tree_) return UserMesh::add_vertex(p);
     place_ = p;
     return OpenMesh::SmartVertexHandle(static_cast<int>(UserMesh::n_vertices()), this);
   }
-  /// \pre v is what add_vertex() has given since the last split. \throw UsageError if it is not
+  /// \pre v was returned by add_vertex() since the last split. \throw UsageError otherwise
   void split(EdgeHandle e, VertexHandle v) {
     if (!tree_) return UserMesh::split(e, v);
     if (v.idx() != static_cast<int>(UserMesh::n_vertices()))
@@ -78,7 +78,7 @@ class RootMesh : public UserMesh {
     if (!tree_) return UserMesh::split(e, p);
     return split_at(e, p);
   }
-  /// Joins a point of a face to its corners.
+  /// Inserts a point into a face and joins it to the corners.
   OpenMesh::SmartVertexHandle split(FaceHandle f, const Point& p) {
     if (!tree_) return UserMesh::split(f, p);
     const Outcome o = tree_->operations().split_simplex(NodeId::root, tree_->dart(f), 2);
@@ -99,7 +99,7 @@ class RootMesh : public UserMesh {
     refused_ += !o;
     return bool(o);
   }
-  // Where p is beside the edge, texture coordinates are those of the nearest point on it.
+  // If p is not on the edge, texture coordinates are those of the nearest point on it.
   OpenMesh::SmartVertexHandle split_at(EdgeHandle e, const Point& p) {
     const HalfedgeHandle h = UserMesh::halfedge_handle(e, 0);
     const Point from = UserMesh::point(UserMesh::from_vertex_handle(h));
@@ -113,7 +113,7 @@ class RootMesh : public UserMesh {
     return OpenMesh::SmartVertexHandle(v.idx(), this);
   }
 
-  // A copy of the mesh, which is not the root, drives no tree.
+  // A copy of the mesh is not the root, and drives no tree.
   struct DrivenTree {
     DrivenTree() = default;
     DrivenTree(const DrivenTree&) noexcept {}

@@ -9,8 +9,8 @@
 namespace multimesh::tet {
 
 /// Products of permutations by code: product[q][p][i] = q[p[i]]. A dart is a permutation p of the local
-/// corners; with a glue permutation q on the left it is the same ordering in the neighbour, with a
-/// re-ordering r on the right, product[p][r], another ordering in the same tetrahedron.
+/// corners. With a glue permutation q on the left it is the same ordering in the neighbour; with a reordering
+/// r on the right, product[p][r], it is another ordering in the same tetrahedron.
 inline constexpr auto product = [] {
   std::array<std::array<std::uint8_t, 32>, 32> table{};
   for (std::uint8_t q = 0; q < 24; ++q)
@@ -24,7 +24,7 @@ inline constexpr auto inverse_code = [] {
   return table;
 }();
 
-/// exchange[i][j]: local corners i and j change places.
+/// exchange[i][j]: exchanges local corners i and j.
 inline constexpr auto exchange = [] {
   std::array<std::array<std::uint8_t, 4>, 4> table{};
   for (int i = 0; i < 4; ++i)

@@ -16,8 +16,8 @@ struct Box {
 /// The box around the points, with the margin. \throw InputError, UsageError as delaunay()
 Box background_box(std::span<const Point> points, const DelaunayOptions& options);
 
-/// What is added to the points: the corners of the box, and the nodes of the grid. None of them is equal to
-/// one of the points. \throw InputError, UsageError as delaunay()
+/// The points to be added: the corners of the box, and the nodes of the grid. None of them equals one of the
+/// input points. \throw InputError, UsageError as delaunay()
 std::vector<Point> background_points(std::span<const Point> points, const Box& box,
                                      const DelaunayOptions& options);
 

@@ -9,7 +9,7 @@
 
 namespace multimesh::tetgen {
 
-/// Which regions are to be filled, and how they are called.
+/// Which regions are filled, and their names.
 struct Choice {
   std::vector<bool> kept;          ///< per region
   std::vector<int> winding;        ///< per region
@@ -17,11 +17,11 @@ struct Choice {
   std::vector<std::string> warnings;
 };
 
-/// Decides by seeds, or else by winding numbers. \throw InputError if nothing is enclosed or left, or a seed
-/// is outside, on a facet, or contradicts another one
+/// Decides by seeds, or else by winding numbers. \throw InputError if nothing is enclosed or left, or if a
+/// seed is outside, on a facet, or contradicts another one
 Choice choose(const Filling& filling, const Facets& facets, const TetrahedralizeOptions& options);
 
-/// Per facet, whether no region that is kept is at it.
+/// Per facet, whether no kept region is at it.
 std::vector<bool> without_region(const std::vector<Sides>& sides, const std::vector<bool>& kept);
 
 /// A point in each region that is not kept.

@@ -7,11 +7,11 @@
 
 namespace multimesh::tetgen {
 
-/// An open file of this process, closed at the end. Programs that other threads start do not inherit it.
+/// An open file of this process, closed on destruction. Programs that other threads start do not inherit it.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
-  /// Takes over an open file. \throw std::system_error if fd < 0, from errno
+  /// Takes ownership of an open file. \throw std::system_error if fd < 0, from errno
   explicit FileDescriptor(int fd);
   ~FileDescriptor();
   FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
@@ -26,16 +26,16 @@ class FileDescriptor {
   int fd_ = -1;
 };
 
-/// A file without a name, empty, that is gone when it is closed everywhere. \throw std::system_error
+/// An empty file without a name; it is gone when it is closed everywhere. \throw std::system_error
 FileDescriptor anonymous_file();
 
-/// A pipe: the end to read from, which never blocks, and the end to write to. \throw std::system_error
+/// A pipe: the read end, which never blocks, and the write end. \throw std::system_error
 std::pair<FileDescriptor, FileDescriptor> pipe_ends();
 
-/// The bytes of a file. \throw std::system_error
+/// The size of a file in bytes. \throw std::system_error
 std::uint64_t file_size(int fd);
 
-/// All bytes, or nothing and false: at the end of the file, or on an error.
+/// Reads all bytes; or false at the end of the file, or on an error.
 bool read_at(int fd, void* to, std::size_t size, std::uint64_t offset);
 bool write_at(int fd, const void* from, std::size_t size, std::uint64_t offset);
 

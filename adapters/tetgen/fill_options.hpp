@@ -11,13 +11,13 @@ namespace multimesh::tetgen {
 /// \throw UsageError if an option is out of its range
 void check_options(const TetrahedralizeOptions& options);
 
-/// The bound of volumes that the options ask for; 0: none.
+/// The bound on volumes that the options imply; 0: none.
 double volume_bound(const TetrahedralizeOptions& options);
 
-/// Whether points are to be added inside for size or quality.
+/// Whether points may be added inside for size or quality.
 bool refines(const TetrahedralizeOptions& options);
 
-/// TetGen's switches that fill the whole convex hull, with no point that need not be.
+/// TetGen's switches that fill the whole convex hull, without unnecessary points.
 std::string hull_switches(const TetrahedralizeOptions& options);
 
 /// TetGen's switches that fill what is enclosed, and refine it.

@@ -10,22 +10,22 @@
 
 namespace multimesh::tetgen {
 
-/// Tetrahedra of TetGen, and the regions into which facets cut them.
+/// TetGen's tetrahedra, and the regions into which facets divide them.
 struct Filling {
   RawTetrahedra raw;
   Regions regions;
 };
 
-/// What TetGen gets of an input: the facets, and of the points those that they use, which alone may be there.
+/// TetGen's input: the facets, and only the points that they use.
 class Surface {
  public:
   Surface(std::span<const Point> all, const Facets& facets);
 
-  /// \throw InputError if it fails since facets intersect, WorkerError if it fails otherwise
+  /// \throw InputError if it fails because facets intersect, WorkerError if it fails otherwise
   Filling fill(const std::string& switches, const RegionOptions& options, const WorkerOptions& worker,
                std::span<const Point> holes = {}) const;
 
-  const std::vector<Index>& used() const { return used_; }  ///< per point, the one of the input
+  const std::vector<Index>& used() const { return used_; }  ///< per point, the input point
   const std::vector<Point>& points() const { return points_; }
   const Facets& facets() const { return facets_; }  ///< of these points
 
@@ -35,7 +35,7 @@ class Surface {
   Facets facets_;
 };
 
-/// Gives the regions of `later` the numbers of `first`, of which some were left out. Regions are recognized
+/// Gives the regions of `later` the numbers of `first`, of which some were left out. Regions are identified
 /// by their facets. \throw WorkerError (bad_result) if they are not the same
 void renumber(Regions& later, const Regions& first);
 

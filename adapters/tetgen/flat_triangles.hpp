@@ -10,25 +10,25 @@
 
 namespace multimesh::tetgen {
 
-/// Triangles with three different corners on a line, or no higher than the least height. Those that hang
-/// together by edges are taken for one line; it says which of their points lie on the edges between others.
+/// Triangles with three different collinear corners, or no higher than the least height. Those connected by
+/// edges form one line; it knows which of its points lie on the edges between others.
 ///
 ///     a -------- b ---- c     the triangle a, b, c: the edge a-c of its neighbour goes through b
 ///
 class FlatTriangles {
  public:
-  /// Points that are not used do not count. \pre `points` outlives this
+  /// Unused points do not count. \pre `points` outlives this
   FlatTriangles(std::span<const Point> points, std::span<const std::array<Index, 3>> triangles,
                 const std::vector<bool>& used, double least_height);
 
-  /// The points strictly between two corners of a triangle, from a to b; none unless both are on a line
-  /// together, and the third corner is not: that would be flat as well, nearly.
+  /// The points strictly between two corners of a triangle, from a to b. None unless both are on a common
+  /// line, and the third corner is not: that triangle would be nearly flat as well.
   std::vector<Index> points_on(Index a, Index b, Index third) const;
 
  private:
   std::span<const Point> points_;
   double least_height_;
-  std::vector<std::vector<Index>> lines_;         // points, by their place on the line
+  std::vector<std::vector<Index>> lines_;         // points, by their position on the line
   std::map<Index, std::vector<Index>> lines_at_;  // per point
 };
 

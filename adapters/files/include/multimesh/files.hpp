@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Files as domains, and domains as files.
+// Converts between files and domains.
 #include "multimesh/files/domain_file.hpp"
 #include "multimesh/files/formats.hpp"
 #include "multimesh/files/materials.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// OpenMesh meshes in trees: attaching what a user has, meshes of our own, the module for its decimater.
+// OpenMesh meshes in trees: attaching a user's mesh, meshes of our own, the module for OpenMesh's decimaters.
 #include "multimesh/openmesh/attach.hpp"
 #include "multimesh/openmesh/edge_mesh.hpp"
 #include "multimesh/openmesh/make_mesh.hpp"

@@ -5,12 +5,12 @@
 
 namespace multimesh::files {
 
-/// Whether the extension is that of a format that holds surfaces only, perhaps with texture coordinates.
-/// `a.obj.gz` is one.
+/// Whether the extension is that of a format for surfaces only, perhaps with texture coordinates; so is that
+/// of `a.obj.gz`.
 bool is_surface_format(const std::filesystem::path& path);
 
-// For help texts and messages: what is read as tetrahedra, and as anything; what surfaces and tetrahedra are
-// written to.
+// For help texts and messages: formats that are read as tetrahedra, and as anything; formats to which
+// surfaces and tetrahedra are written.
 constexpr const char* simplex_formats = "MSH, MEDIT, MFEM, VTU, VTP, VTK, .node/.ele; also gzipped";
 constexpr const char* all_formats =
     "OBJ, PLY, STL, OFF, MSH, MEDIT, MFEM, VTU, VTP, VTK, .node/.ele; also gzipped";

@@ -10,7 +10,7 @@
 
 namespace multimesh::files {
 
-/// What is shown of a material.
+/// The displayed part of a material.
 struct Material {
   std::string name;
   std::array<float, 3> color = {0.8F, 0.8F, 0.8F};  ///< Kd: red, green, blue in [0, 1]
@@ -18,26 +18,26 @@ struct Material {
 };
 
 /// All materials of the libraries of an OBJ file, the first of each name. Libraries and textures are found as
-/// relocate_material_libraries has it; those outside of the directory of the file are used only if paths are
-/// followed. \param notes gets a sentence per library or texture that is not used, and one per library about
-/// textures that are missing.
+/// in relocate_material_libraries; those outside the directory of the file are used only with `follow_paths`.
+/// \param notes gets one sentence per library or texture that is not used, and one per library about missing
+/// textures.
 std::vector<Material> read_materials(const std::vector<std::string>& libraries,
                                      const std::filesystem::path& obj, std::vector<std::string>& notes,
                                      bool follow_paths = false);
 
-/// The same of MTL text that belongs to a file itself.
+/// The same for MTL text that is part of a file.
 void read_materials(const std::string& mtl, const std::filesystem::path& file,
                     std::vector<Material>& materials, std::vector<std::string>& notes, bool follow_paths);
 
-/// The materials that triangles have.
+/// The materials that triangles use.
 struct MaterialsInUse {
   std::vector<Material> materials;
   std::vector<Index> of_triangle;  ///< into materials
   std::vector<std::string> notes;  ///< sentences on what was not found or is not used
 };
 
-/// Of the triangles of a file, or of what was made of them: `source` has the triangle of the input that each
-/// one comes from, as TexturedSurface::triangles() gives it.
+/// The materials of the triangles of a file, or of triangles made from them: `source` has the input triangle
+/// from which each one comes, as returned by TexturedSurface::triangles().
 MaterialsInUse materials_in_use(const SurfaceFile& file, const std::vector<Index>& source);
 
 }  // namespace multimesh::files

@@ -6,8 +6,8 @@
 
 namespace multimesh::openmesh {
 
-/// The list of a new property of an OpenMesh mesh, which owns it; it grows and is compacted with the mesh.
-/// `handle`: an OpenMesh::VPropHandleT<T>, EPropHandleT<T>, ..
+/// Returns the list of a new property of an OpenMesh mesh. The mesh owns it; it grows and is compacted with
+/// the mesh. `handle`: an OpenMesh::VPropHandleT<T>, EPropHandleT<T>, ..
 template <class Handle>
 auto& add_values(OpenMesh::PolyConnectivity& om, Handle handle, const std::string& name) {
   om.add_property(handle, name);

@@ -17,15 +17,15 @@
 
 namespace multimesh::openmesh {
 
-/// When the texture coordinates of the user's halfedges follow those of the texture's vertices.
+/// When the texture coordinates of the user's halfedges are updated from those of the texture's vertices.
 enum class WriteBack {
   each_operation,  ///< always; undone with the operation
   on_demand,       ///< when write_back() is called: faster
 };
 
-/// A user's own OpenMesh mesh, any TriMesh_ArrayKernelT or triangulated PolyMesh_ArrayKernelT with any
-/// traits, as the root of a multimesh, in place: nothing is copied, its properties, handles, status bits and
-/// property managers stay what they are. Children come from what the mesh knows already.
+/// Attaches a user's own OpenMesh mesh, any TriMesh_ArrayKernelT or triangulated PolyMesh_ArrayKernelT with
+/// any traits, as the root of a multimesh, in place: nothing is copied; its properties, handles, status bits
+/// and property managers stay valid. Children are made from data that the mesh already has.
 ///
 ///     openmesh::Attached attached(mesh);
 ///     const NodeId texture = attached.add_texture();
@@ -33,14 +33,14 @@ enum class WriteBack {
 ///     Outcome o = attached.collapse(h);         // in all three meshes, or refused in all three
 ///
 /// OpenMesh's standard properties follow the operations: points, and vertex normals, colours and texture
-/// coordinates, as on the edge; face properties, of any name and type, go to the halves of a split face, edge
-/// properties to the halves of an edge; the merged vertex of a collapse keeps those of the end that holds its
-/// place. follow() adds vertex properties of the user's own. When the Attached goes, the mesh is an ordinary
-/// OpenMesh mesh again with nothing of ours in it; elements that died are still marked as deleted, as after
-/// OpenMesh's own operations, unless garbage_collection() was called.
+/// coordinates, interpolated on the edge. Face properties, of any name and type, go to the halves of a split
+/// face, and edge properties to the halves of an edge; the merged vertex of a collapse keeps those of the end
+/// whose place it takes. follow() adds the user's own vertex properties. After the destruction of the
+/// Attached, the mesh is an ordinary OpenMesh mesh with nothing of ours in it; dead elements are still marked
+/// as deleted, as after OpenMesh's own operations, unless garbage_collection() was called.
 ///
-/// While it lives, the mesh must not be moved, assigned, cleared or destroyed. Other edits of its
-/// connectivity are noticed (docs/openmesh.md).
+/// During its lifetime, the mesh must not be moved, assigned, cleared or destroyed. Other edits of its
+/// connectivity are detected (docs/openmesh.md).
 template <class UserMesh>
 class Attached : public AttachedTree {
  public:
@@ -48,8 +48,8 @@ class Attached : public AttachedTree {
   using TexCoord = typename UserMesh::TexCoord2D;
 
   /// \throw InputError naming the first face that is not a triangle, vertex that is not manifold, or pair of
-  /// simplices with the same vertices (ManifoldCut takes these apart); UsageError if the mesh is attached
-  /// already. Cost: linear, with a sort
+  /// simplices with the same vertices (ManifoldCut separates these); UsageError if the mesh is already
+  /// attached. Cost: linear, plus a sort
   explicit Attached(UserMesh& mesh, Watching edits = Watching::on)
       : AttachedTree(mesh, edits),
         mesh_(mesh),
@@ -64,10 +64,10 @@ class Attached : public AttachedTree {
   UserMesh& mesh() noexcept { return mesh_; }
   VertexAttribute<Point>& points() noexcept { return points_; }
 
-  /// The texture: a mesh over the triangles, with a vertex per place in the texture, from the texture
-  /// coordinates of the mesh's halfedges. `textured`: which faces have some; all, if it is not given.
-  /// \throw UsageError if the mesh has no such coordinates, or has a texture that was not detached;
-  /// InputError naming a face whose coordinates are not finite. Cost: O(n log n)
+  /// Adds the texture: a mesh over the triangles, with one vertex per place in the texture, from the texture
+  /// coordinates of the mesh's halfedges. `textured`: which faces have some; default: all. \throw UsageError
+  /// if the mesh has no such coordinates, or has a texture that was not detached; InputError naming a face
+  /// whose coordinates are not finite. Cost: O(n log n)
   NodeId add_texture(const std::function<bool(OpenMesh::FaceHandle)>& textured = {},
                      WriteBack when = WriteBack::each_operation) {
     require_no_texture(mesh_.has_halfedge_texcoords2D());
@@ -94,7 +94,7 @@ class Attached : public AttachedTree {
     require_texture(texcoords_ != nullptr);
     return *texcoords_;
   }
-  /// From now on no triangle of the texture may flip or lose its area. \throw UsageError if there is none
+  /// Forbids all triangles of the texture to flip or lose their area. \throw UsageError if there is none
   void forbid_flips() {
     require_texture(texcoords_ != nullptr && tree().contains(texcoords_->node()));
     if (std::exchange(without_flips_, texcoords_) == texcoords_) return;
@@ -107,7 +107,7 @@ class Attached : public AttachedTree {
     if (corners_ && tree().contains(corners_->node())) corners_->write_all();
   }
 
-  /// Borders between faces with different tags, as curves: a property of the faces, or FProp.
+  /// Adds borders between faces with different tags, as curves: a property of the faces, or FProp.
   template <class Tag>
   NodeId add_borders(OpenMesh::FPropHandleT<Tag> tag) {
     return add_edges([this, tag](OpenMesh::EdgeHandle e) {
@@ -120,7 +120,7 @@ class Attached : public AttachedTree {
   NodeId add_borders(const Tags& tags) {
     return add_borders(tags.getRawProperty());
   }
-  /// The faces with one tag, as a mesh of their own.
+  /// Adds the faces with one tag, as a mesh of their own.
   template <class Tag>
   NodeId add_region(OpenMesh::FPropHandleT<Tag> tag, const std::type_identity_t<Tag>& value) {
     return add_faces([&](OpenMesh::FaceHandle f) { return mesh_.property(tag, f) == value; });
@@ -130,8 +130,8 @@ class Attached : public AttachedTree {
     return add_region(tags.getRawProperty(), value);
   }
 
-  /// From now on a vertex property of the user's own is interpolated (or taken from the nearer end, if it has
-  /// no mean), or follows a rule.
+  /// Makes a vertex property of the user's own follow: interpolated (or taken from the nearer end, if it has
+  /// no mean), or by a rule.
   template <class T>
   VertexAttribute<T>& follow(OpenMesh::VPropHandleT<T> property,
                              typename VertexAttribute<T>::Rule rule = {}) {
@@ -143,9 +143,9 @@ class Attached : public AttachedTree {
     return follow(property.getRawProperty(), std::move(rule));
   }
 
-  // Properties of edges, faces and halfedges follow by themselves (docs/openmesh.md); these give them other
-  // rules. A halfedge has the value of the corner of its face that it points to. \throw UsageError if the
-  // property follows a rule already, or inside a transaction
+  // Properties of edges, faces and halfedges follow automatically (docs/openmesh.md); these calls give them
+  // other rules. A halfedge has the value of the corner of its face that it points to. \throw UsageError if
+  // the property already follows a rule, or inside a transaction
   template <class T>
   Column<T>& follow(OpenMesh::EPropHandleT<T> property, ColumnRules<T> rules = {}) {
     return follow_column(1, property, std::move(rules));
@@ -159,7 +159,7 @@ class Attached : public AttachedTree {
     return follow_column(corners, property, std::move(rules));
   }
 
-  /// Moves a vertex. Cost: constant, and that of invariants.
+  /// Moves a vertex. Cost: constant, plus that of invariants.
   Outcome relocate(OpenMesh::VertexHandle v, const Point& p) {
     return operations().relocate(NodeId::root, dart(v),
                                  [&](const Event&) { points_.set(static_cast<Index>(v.idx()), p); });

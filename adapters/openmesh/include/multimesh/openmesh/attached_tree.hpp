@@ -16,8 +16,8 @@
 
 namespace multimesh::openmesh {
 
-/// Handles of the user's that are to follow a renumbering, as OpenMesh's garbage_collection() takes them.
-/// Those of elements that are gone become invalid.
+/// Handles of the user's that a renumbering updates, as in OpenMesh's garbage_collection(). Handles of
+/// removed elements become invalid.
 struct KeptHandles {
   std::vector<OpenMesh::VertexHandle*> vertices;
   std::vector<OpenMesh::HalfedgeHandle*> halfedges;
@@ -25,7 +25,7 @@ struct KeptHandles {
   std::vector<OpenMesh::FaceHandle*> faces;
 };
 
-/// What does not depend on the traits of an attached mesh: see Attached.
+/// The part of Attached that does not depend on the traits of the mesh.
 class AttachedTree {
  public:
   AttachedTree(const AttachedTree&) = delete;
@@ -33,7 +33,7 @@ class AttachedTree {
 
   MultiMesh& tree() noexcept { return tree_; }
   const MultiMesh& tree() const noexcept { return tree_; }
-  /// All of the library's operations, on any mesh of the tree, with the attributes that are kept here.
+  /// All of the library's operations, on any mesh of the tree, with the attributes that are stored here.
   Propagation& operations() noexcept { return operations_; }
 
   // --- handles and darts of the root
@@ -41,7 +41,7 @@ class AttachedTree {
   Dart dart(OpenMesh::HalfedgeHandle h) const;
   Dart dart(OpenMesh::EdgeHandle e) const { return dart(root_.halfedge_handle(e, 0)); }
   Dart dart(OpenMesh::VertexHandle v) const;
-  /// \throw UsageError for a face that is not there any more
+  /// \throw UsageError for a face that no longer exists
   Dart dart(OpenMesh::FaceHandle f) const;
   /// The halfedge on the edge of a dart, from its vertex. \throw UsageError for a dead dart
   OpenMesh::HalfedgeHandle halfedge(Dart d) const;
@@ -53,7 +53,7 @@ class AttachedTree {
   NodeId add_boundary();
   NodeId add_edges(const std::function<bool(OpenMesh::EdgeHandle)>& tagged);
   NodeId add_faces(const std::function<bool(OpenMesh::FaceHandle)>& tagged);
-  /// Vertices that must not go, as points.
+  /// Vertices that must be kept, as points.
   NodeId add_points(const std::function<bool(OpenMesh::VertexHandle)>& tagged);
 
   // --- operations by handles; others: operations()
@@ -70,15 +70,15 @@ class AttachedTree {
   // --- maintenance
   /// Removes dead elements of all meshes for good; maps and the given handles follow. Cost: linear
   void garbage_collection(const KeptHandles& handles = {});
-  /// Follows what others did to the mesh: MultiMesh::resync().
+  /// Follows edits of the mesh by other code: MultiMesh::resync().
   void resync(const KeptHandles& handles = {});
 
  protected:
   AttachedTree(OpenMesh::PolyConnectivity& root, Watching edits);
   ~AttachedTree() = default;
 
-  /// Operations know them by address: they are kept as long as those. \return it; `follows`: it is told of
-  /// each operation
+  /// Owns an attribute as long as the operations, which refer to it by address. \return it; `follows`: it is
+  /// notified of each operation
   template <class A>
   A& keep(std::unique_ptr<A> attribute, bool follows = true) {
     A& kept = *attribute;
@@ -90,9 +90,9 @@ class AttachedTree {
     }
     return kept;
   }
-  /// The operations leave a property to somebody who writes it, as long as `still` says so.
+  /// The operations leave a property to other code that writes it, as long as `still` returns true.
   void leave(const OpenMesh::BaseProperty& property, std::function<bool()> still);
-  /// \throw UsageError if it was left to somebody
+  /// \throw UsageError if it was left to other code
   void require_carried(const OpenMesh::BaseProperty& property) const;
   void require_no_texture(bool has_texcoords) const;
   static void require_texture(bool has_texture);

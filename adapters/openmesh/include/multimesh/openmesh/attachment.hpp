@@ -10,8 +10,8 @@ namespace multimesh::openmesh {
 /// Marks an OpenMesh mesh as attached.
 ///
 /// OpenMesh copies all properties of a mesh, so a copy of an attached mesh has our properties, too, and keeps
-/// them when its original is detached. The mark says whose it is: those of a copy are removed when the copy
-/// is attached itself.
+/// them when its original is detached. The mark tells to which mesh they belong: those of a copy are removed
+/// when the copy is attached itself.
 class Attachment {
  public:
   /// \throw UsageError if the mesh is attached

@@ -8,7 +8,7 @@
 
 namespace multimesh::openmesh {
 
-/// A corner of a triangle of the parent, as OpenMesh stores values there (the halfedge of the triangle that
+/// A corner of a triangle of the parent, where OpenMesh stores values (the halfedge of the triangle that
 /// points to the vertex), and the vertex of the child over it.
 struct Corner {
   std::size_t halfedge;
@@ -18,10 +18,10 @@ struct Corner {
 /// Appends the corners below the child's facet at d. \pre the parent is a TriangleMesh, the child of
 /// dimension 2
 void corners_below(const MultiMesh& tree, NodeId child, Dart d, std::vector<Corner>& out);
-/// The corners that may have other values after an operation: of the child's facets around its new, merged or
-/// moved vertices, or at its flipped edges.
+/// The corners whose values an operation may have changed: those of the child's facets around its new, merged
+/// or moved vertices, or at its swapped edges.
 void corners_changed(const Event& event, NodeId child, std::vector<Corner>& out);
-/// All of them. Cost: linear
+/// All corners. Cost: linear
 void all_corners(const MultiMesh& tree, NodeId child, std::vector<Corner>& out);
 
 /// Keeps values at the corners of a mesh (OpenMesh's texcoords2D of halfedges) equal to those at the vertices
@@ -29,7 +29,7 @@ void all_corners(const MultiMesh& tree, NodeId child, std::vector<Corner>& out);
 template <class T>
 class CornerValues final : public Attribute {
  public:
-  /// `at_vertices`: of the child; `at_halfedges`: of its parent.
+  /// `at_vertices`: those of the child; `at_halfedges`: those of its parent.
   CornerValues(const MultiMesh& tree, NodeId child, const std::vector<T>& at_vertices,
                std::vector<T>& at_halfedges)
       : Attribute(child), tree_(tree), at_vertices_(at_vertices), at_halfedges_(at_halfedges) {}

@@ -10,11 +10,11 @@ namespace multimesh::openmesh {
 /// closed loop has two cycles. A dart is a halfedge, with its from-vertex.
 class EdgeMesh final : public Connectivity {
  public:
-  /// \throw InputError naming the first vertex with more than two edges, halfedge that is linked otherwise,
-  /// or pair of edges with the same vertices; UsageError if it is attached already
+  /// \throw InputError naming the first vertex with more than two edges, halfedge that is linked
+  /// differently, or pair of edges with the same vertices; UsageError if the mesh is already attached
   explicit EdgeMesh(OpenMesh::PolyConnectivity& om, Watching edits = Watching::on);
-  /// Keeps a mesh. \throw as the other constructor; that no two simplices have the same vertices is not
-  /// checked
+  /// Takes ownership of a mesh. \throw as the other constructor, but does not check for simplices with the
+  /// same vertices
   explicit EdgeMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om);
 
   static OpenMesh::HalfedgeHandle halfedge(Dart d) { return handle(half(d)); }

@@ -9,7 +9,7 @@
 
 namespace multimesh::openmesh {
 
-/// OpenMesh vectors of integers, as colours are: their products with 0.5 would be cut off, not rounded.
+/// OpenMesh vectors of integers, such as colours: their products with 0.5 would be truncated, not rounded.
 template <class T>
 concept IntegerVector = requires {
   typename T::value_type;
@@ -29,7 +29,7 @@ typename VertexAttribute<T>::Rule rounded_mean(const std::vector<T>& values) {
   };
 }
 
-/// The direction of (1-t) a + t b, as long as 1; that of the nearer end where they cancel.
+/// The unit vector in the direction of (1-t) a + t b; that of the nearer end where they cancel.
 template <class T>
 typename VertexAttribute<T>::Rule mean_direction(const std::vector<T>& values) {
   return [&values](Operation, const VertexChange& c) {

@@ -9,8 +9,8 @@
 
 namespace multimesh::openmesh {
 
-/// A module for OpenMesh's decimaters (DecimaterT, McDecimaterT, MixedDecimaterT), by which they decimate all
-/// meshes of a tree. It is binary, for use beside others of any kind:
+/// A module for OpenMesh's decimaters (DecimaterT, McDecimaterT, MixedDecimaterT) that makes them decimate
+/// all meshes of a tree. It is binary, and can be combined with others of any kind:
 ///
 ///     openmesh::Attached attached(mesh);
 ///     OpenMesh::Decimater::DecimaterT<MyMesh> decimater(mesh);
@@ -18,14 +18,14 @@ namespace multimesh::openmesh {
 ///     decimater.add(tree);
 ///     decimater.module(tree).drive(attached);
 ///
-/// It forbids what the tree would refuse: by the legality of all its meshes, because the from-vertex must
-/// keep its place, or by the invariants of the operations. OpenMesh's half-edge collapse is carried to all
-/// meshes.
+/// It rejects what the tree would refuse: because of the legality of all its meshes, because the from-vertex
+/// must keep its place, or because of the invariants of the operations. OpenMesh's halfedge collapse is
+/// carried to all meshes.
 ///
-/// A decimater asks again for the topology of its own mesh, but not for the other modules' opinions, when it
-/// comes to an edge that it judged earlier. If the tree refuses by then, the collapse is taken back, the tree
-/// stays valid, and stale() counts it: the decimater believes in one collapse more than there were, and a
-/// quadric was added to the surviving vertex. To make up for it, call decimate() again.
+/// When a decimater comes to an edge that it judged earlier, it checks the topology of its own mesh again,
+/// but does not ask the modules again. If the tree refuses by then, the collapse is reverted, the tree stays
+/// valid, and stale() counts it. The decimater counts one collapse too many, and a quadric was added to the
+/// surviving vertex. To make up for it, call decimate() again.
 template <class MeshT>
 class ModMultimeshT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -49,13 +49,13 @@ class ModMultimeshT : public OpenMesh::Decimater::ModBaseT<MeshT> {
                : float(Base::LEGAL_COLLAPSE);
   }
   void preprocess_collapse(const CollapseInfo& ci) override { saved_.save(ci.v0); }
-  /// Takes OpenMesh's collapse back and does the tree's.
+  /// Reverts OpenMesh's collapse and does the tree's.
   void postprocess_collapse(const CollapseInfo& ci) override {
     saved_.restore();
     if (!tree_->collapse(ci.v0v1)) ++stale_;
   }
 
-  /// How many collapses of the last run were taken back.
+  /// How many collapses of the last run were reverted.
   std::size_t stale() const noexcept { return stale_; }
 
  private:

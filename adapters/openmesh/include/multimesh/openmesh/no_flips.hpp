@@ -9,9 +9,9 @@
 
 namespace multimesh::openmesh {
 
-/// No triangle of a mesh in the plane (a texture) changes its orientation or loses its area by a collapse or
-/// a swap, by exact signs. Triangles without area before a collapse are not checked. A split changes no
-/// orientation but by rounding. `T`: a vector whose first two components are the coordinates. Cost: that of
+/// No triangle of a mesh in the plane (a texture) changes its orientation or loses its area in a collapse or
+/// a swap, by exact signs. Triangles without area before a collapse are not checked. A split changes
+/// orientations only by rounding. `T`: a vector whose first two components are the coordinates. Cost: that of
 /// the star.
 template <class T>
 class NoFlips final : public Invariant {
@@ -41,7 +41,7 @@ class NoFlips final : public Invariant {
   }
   static bool same_side(int before, int after) { return before == 0 || before == after; }
 
-  // Around both ends, but for the triangles that die.
+  // Around both ends, except the triangles that die.
   bool keeps_signs(const Event& event, Dart e, const VertexChange& change) {
     const Mesh& mesh = event.tree.mesh(node());
     const T merged = places_.result(Operation::collapse, change);

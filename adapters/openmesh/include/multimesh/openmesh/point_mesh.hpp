@@ -5,12 +5,12 @@
 
 namespace multimesh::openmesh {
 
-/// Points: an OpenMesh connectivity with vertices alone, each of them a facet with a single dart, whose code
-/// is the index of the vertex. There are no edges, so that no operation can be asked for here but a
-/// relocation, and none removes a point. Vertex properties are values on the points.
+/// Points: an OpenMesh connectivity that has only vertices. Each is a facet with a single dart, whose code is
+/// the index of the vertex. There are no edges, so a relocation is the only operation that can be requested
+/// here, and no operation removes a point. Vertex properties are values on the points.
 class PointMesh final : public Connectivity {
  public:
-  /// Keeps a mesh. \throw InputError if it has edges or faces
+  /// Takes ownership of a mesh. \throw InputError if it has edges or faces
   explicit PointMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om);
 
   Index capacity(int k) const override { return k == 0 ? static_cast<Index>(om_.n_vertices()) : 0; }
@@ -26,7 +26,7 @@ class PointMesh final : public Connectivity {
   bool is_boundary(Dart, int) const override { return false; }
   void check(std::vector<std::string>& problems) const override;
 
-  // What needs an edge. \throw UsageError
+  // Calls that need an edge. \throw UsageError
   bool link_condition(Dart) const override { refuse(); }
   void split_edge(Dart, SplitRecord&) override { refuse(); }
   void collapse_edge(Dart, CollapseRecord&) override { refuse(); }

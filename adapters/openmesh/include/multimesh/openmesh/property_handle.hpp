@@ -6,7 +6,7 @@
 
 namespace multimesh::openmesh {
 
-/// An OpenMesh::PropertyManager, by its interface: VProp<T>, EProp<T>, .., or one from getOrMakeProperty().
+/// Recognizes an OpenMesh::PropertyManager by its interface: VProp<T>, .., or from getOrMakeProperty().
 template <class M, class Handle>
 concept ManagerOf = requires(const M& manager) {
   { manager.getRawProperty() } -> std::convertible_to<const Handle&>;

@@ -6,16 +6,16 @@
 
 namespace multimesh::openmesh {
 
-/// The connectivity around a vertex, to be put back after OpenMesh has collapsed an edge at it: every word
-/// that PolyConnectivity::collapse writes, status bits included. Buffers are re-used.
+/// Saves the connectivity around a vertex, to restore it after OpenMesh has collapsed an edge at it: every
+/// word that PolyConnectivity::collapse writes, status bits included. Buffers are reused.
 class SavedStar {
  public:
   explicit SavedStar(OpenMesh::PolyConnectivity& mesh) : mesh_(mesh) {}
 
   /// \pre `vertex` has edges. Cost: that of its star
   void save(OpenMesh::VertexHandle vertex);
-  /// Everything as it was. \pre save() was called, and nothing but a collapse of an edge from the vertex done
-  /// since
+  /// Restores everything. \pre save() was called, and since then only an edge from the vertex was
+  /// collapsed
   void restore();
 
  private:

@@ -21,9 +21,9 @@ struct TextureChild {
   std::vector<Index> texcoord;  ///< per vertex of the child, into the list of values
 };
 
-/// The texture of a surface as a child: its vertices are the classes of corners with the same vertex of the
-/// surface and equal texture coordinates, cut to be manifold (charts that touch in a point come apart).
-/// \throw InputError if there is no triangle; the tree is unchanged then. Cost: O(n log n)
+/// Adds the texture of a surface as a child. Its vertices are the classes of corners with the same vertex of
+/// the surface and equal texture coordinates, cut to be manifold (charts that touch in a point are
+/// separated). \throw InputError if there is no triangle; the tree is unchanged then. Cost: O(n log n)
 TextureChild add_texture_child(MultiMesh& tree, NodeId parent, TexturedCorners corners,
                                std::span<const Vec2> values);
 

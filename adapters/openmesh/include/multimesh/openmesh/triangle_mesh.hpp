@@ -11,14 +11,14 @@ namespace multimesh::openmesh {
 /// the halfedge's face. Boundary halfedges carry no dart. (v0,v1,v2) is: vertex, other end, apex.
 class TriangleMesh final : public Connectivity {
  public:
-  /// Attaches a mesh of the user's, in place. \throw InputError naming the first face that is not a
-  /// triangle, vertex that is not manifold, or pair of simplices with the same vertices; UsageError if it is
-  /// attached already
+  /// Attaches a user's mesh in place. \throw InputError naming the first face that is not a triangle,
+  /// vertex that is not manifold, or pair of simplices with the same vertices; UsageError if it is already
+  /// attached
   explicit TriangleMesh(OpenMesh::PolyConnectivity& om, Watching edits = Watching::on);
-  /// Keeps a mesh. \throw as the other constructor; that no two simplices have the same vertices is not
-  /// checked
+  /// Takes ownership of a mesh. \throw as the other constructor, but does not check for simplices with the
+  /// same vertices
   explicit TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om);
-  /// Keeps a mesh. \pre check() would find nothing
+  /// Takes ownership of a mesh. \pre check() would find nothing
   struct Checked {};
   TriangleMesh(std::unique_ptr<OpenMesh::PolyConnectivity> om, Checked);
 

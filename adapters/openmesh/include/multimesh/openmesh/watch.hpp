@@ -11,27 +11,27 @@
 
 namespace multimesh::openmesh {
 
-/// Whether edits of an attached mesh by others are looked for. Off, they must not happen: nothing notices
-/// them then.
+/// Whether edits of an attached mesh by other code are detected. With `off`, there must be none, because
+/// nothing detects them.
 enum class Watching : bool { off, on };
 
-/// Tells whether a connectivity that others can reach is still as our last write left it.
+/// Detects whether a connectivity that other code can reach is still as our last write left it.
 ///
-/// OpenMesh has no hooks, so the only sure signs are the words themselves. Per vertex we keep the sum, over
-/// its outgoing halfedges, of a hash of (halfedge, its end, its face). Each write of ours moves the sums
-/// along, and undoing it moves them back; a sum that a walk around the vertex does not give again was changed
-/// by somebody else. Elements have names of their own, too, so that a renumbering (garbage collection) can be
-/// followed. Properties "mm:watch*": 8 bytes per vertex and 4 per element.
+/// OpenMesh has no hooks, so the words themselves must be checked. Per vertex we keep the sum, over its
+/// outgoing halfedges, of a hash of (halfedge, its end, its face). Each of our writes updates the sums, and
+/// undoing it restores them. If a walk around a vertex gives another sum, other code has changed it. Elements
+/// also have names of their own, so that a renumbering (garbage collection) can be followed. Properties
+/// "mm:watch*": 8 bytes per vertex and 4 per element.
 class Watch {
  public:
-  /// Takes the connectivity as it is. Cost: linear
+  /// Records the current connectivity. Cost: linear
   explicit Watch(OpenMesh::PolyConnectivity& om);
   ~Watch();
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  // What our writes change, told before (to, face) or in between (edges that come and go: their halfedges are
-  // put in while the edge is live). Those of dead edges, and without a vertex, do not count.
+  // Our own changes, reported before a write (to, face) or amid it (edges that come and go: halfedges are
+  // entered while the edge is live). Halfedges of dead edges, and without a vertex, do not count.
   void will_point(int halfedge, int vertex) {
     if (is_dead_edge(halfedge)) return;
     const int twin = halfedge ^ 1, from = to(twin), old = to(halfedge), face = face_of(halfedge);
@@ -47,20 +47,20 @@ class Watch {
   }
   void leave_out(int halfedge) { add(to(halfedge ^ 1), 0 - hash_of(halfedge)); }
   void put_in(int halfedge) { add(to(halfedge ^ 1), hash_of(halfedge)); }
-  /// New elements have been added, or the last ones taken away: they are ours.
+  /// Elements were appended, or the last ones removed, by us.
   void note_counts();
   void name(int k, int element);
 
   bool same_counts() const noexcept;
-  /// Whether the halfedges out of a vertex are those that we left. Cost: that of a walk around it
+  /// Whether the halfedges out of a vertex are as we left them. Cost: that of a walk around it
   bool in_step(int vertex) const;
-  /// Everywhere; the first vertex that is out of step, dead ones included, or nothing. Cost: linear
+  /// Checks all; the first vertex that is out of step, dead ones included, or nothing. Cost: linear
   std::optional<int> first_out_of_step() const;
 
-  /// Where the elements that had names have gone, by their old indices. \throw OutOfStepError if names are
-  /// missing or found twice: the mesh was cleared or assigned
+  /// Where named elements are now, by their old indices. \throw OutOfStepError if names are missing or found
+  /// twice: the mesh was cleared or assigned
   Compaction moved() const;
-  /// Takes the connectivity as it is now.
+  /// Records the current connectivity.
   void accept();
 
   /// Whether a property belongs to a watch.
@@ -79,7 +79,7 @@ class Watch {
     if (vertex >= 0 && static_cast<std::size_t>(vertex) < sums_->size())
       (*sums_)[static_cast<std::size_t>(vertex)] += x;
   }
-  /// Of three words, mixed as in splitmix64 (Steele, Lea, Flood 2014).
+  /// Hash of three words, mixed as in splitmix64 (Steele, Lea, Flood 2014).
   static std::uint64_t hash(int halfedge, int to, int face) {
     const auto word = [](int i) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(i)); };
     std::uint64_t x = (word(halfedge) << 32 | word(to)) * 0x9e3779b97f4a7c15ULL;
@@ -99,7 +99,7 @@ class Watch {
   OpenMesh::FPropHandleT<Index> face_names_;
   std::vector<std::uint64_t>* sums_;
   const std::vector<OpenMesh::Attributes::StatusInfo>* edge_status_;
-  std::array<std::vector<Index>*, 3> names_;  // one more than the index that we know; 0: not ours
+  std::array<std::vector<Index>*, 3> names_;  // index known to us, plus one; 0: not ours
 };
 
 }  // namespace multimesh::openmesh

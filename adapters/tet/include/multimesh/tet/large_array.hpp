@@ -12,8 +12,8 @@
 
 namespace multimesh::tet {
 
-/// Asks for large pages where an array is large: of a mesh of a million tetrahedra, visited in no order,
-/// every access would miss the small pages' table (splits take 0.7 of the time).
+/// Requests large pages for a large array: in a mesh of a million tetrahedra, visited in random order, every
+/// access would miss the small pages' table (splits take 0.7 of the time).
 template <class T>
 class LargePageAllocator {
  public:
@@ -29,7 +29,7 @@ class LargePageAllocator {
     void* p = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
     if (!p) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-    if (alignment == page) (void)madvise(p, bytes, MADV_HUGEPAGE);  // a wish; small pages do as well
+    if (alignment == page) (void)madvise(p, bytes, MADV_HUGEPAGE);  // only a request; small pages also work
 #endif
     return static_cast<T*>(p);
   }

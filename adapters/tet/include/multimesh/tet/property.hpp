@@ -35,9 +35,9 @@ class PropertyBase {
   std::string name_;
 };
 
-/// Values of one type. `values` has one entry per slot, dead ones included; new slots hold T{}
-/// (Eigen's types: zeros). Writes in
-/// transactions go through a VertexAttribute over `values`, or after Mesh::protect.
+/// Values of one type. `values` has one entry per slot, dead ones included; new slots hold T{} (Eigen's
+/// types: zeros). In transactions, write through a VertexAttribute over `values`, or after
+/// Mesh::protect.
 template <class T>
 class Property final : public PropertyBase {
  public:

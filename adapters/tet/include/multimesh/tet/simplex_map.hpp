@@ -12,7 +12,7 @@ namespace multimesh::tet {
 /// An edge or a triangle by its vertices, ascending; an edge has no_index last.
 using SimplexKey = std::array<Index, 3>;
 
-/// The key of the first k+1 of some vertices; k is 1 or 2.
+/// The key of the first k+1 of these vertices; k is 1 or 2.
 inline SimplexKey simplex_key(const Index* v, int k) {
   SimplexKey key{v[0], v[1], k == 2 ? v[2] : no_index};
   if (key[0] > key[1]) std::swap(key[0], key[1]);
@@ -21,9 +21,9 @@ inline SimplexKey simplex_key(const Index* v, int k) {
   return key;
 }
 
-/// A number per edge or triangle, for few of them: open addressing with linear probing. Erasing shifts
-/// the following entries back, so that there are no tombstones. Cost: constant, expected; 16 bytes per slot,
-/// a third of them free.
+/// A number per edge or triangle, for few of them: open addressing with linear probing. Erasing shifts the
+/// following entries back, so there are no tombstones. Cost: constant, expected; 16 bytes per slot, a third
+/// of the slots are free.
 class SimplexMap {
  public:
   /// The number of a simplex, or no_index.
@@ -34,7 +34,7 @@ class SimplexMap {
     }
   }
 
-  /// Sets it, or removes it (no_index). \return what it was
+  /// Sets the number, or removes it (no_index). \return the previous one
   Index set(const SimplexKey& key, Index value) {
     return value == no_index ? erase(key) : insert(key, value);
   }
@@ -77,7 +77,7 @@ class SimplexMap {
     const Index old = slots_[i].value;
     if (old == no_index) return old;
     --size_;
-    // An entry may move back to the hole unless its home lies after it.
+    // An entry may move back to the hole unless its home slot lies after it.
     for (std::size_t j = (i + 1) & mask_; slots_[j].value != no_index; j = (j + 1) & mask_) {
       const std::size_t from_home = (j - home(slots_[j].key)) & mask_;
       if (from_home < ((j - i) & mask_)) continue;

@@ -10,8 +10,8 @@
 
 namespace multimesh::tet {
 
-/// A named column on few of the edges or faces of a TetMesh. Simplices that came from the same one share a
-/// value until it is written.
+/// A named column on few of the edges or faces of a TetMesh. Simplices that come from the same simplex share
+/// a value until it is written.
 class SimplexPropertyBase {
  public:
   SimplexPropertyBase(int k, std::string name, std::size_t vertices)
@@ -26,7 +26,7 @@ class SimplexPropertyBase {
 
  protected:
   friend class TetMesh;
-  /// Drops values that no simplex has. \return old to new numbers
+  /// Removes values that no simplex has. \return old to new numbers
   virtual std::vector<Index> compact() = 0;
   /// The number of the value of two simplices that become one; `share`: the part of `other` in it.
   virtual Index merged(Index kept, Index other, double share) = 0;
@@ -42,7 +42,7 @@ class SimplexPropertyBase {
 template <class T>
 class SimplexProperty final : public SimplexPropertyBase {
  public:
-  /// As ColumnRules::merge.
+  /// Like ColumnRules::merge.
   using Merge = std::function<T(const T& kept, const T& other, double share)>;
   SimplexProperty(int k, std::string name, std::size_t vertices, Merge merge = {})
       : SimplexPropertyBase(k, std::move(name), vertices), merge_(std::move(merge)) {}

@@ -5,8 +5,8 @@
 
 namespace multimesh::tet {
 
-/// Numbers on few of the edges (k = 1) or faces (k = 2) of a mesh, and per vertex how many of them are around
-/// it: most questions are answered by those counts, without a look into the map.
+/// Numbers on few of the edges (k = 1) or faces (k = 2) of a mesh, and per vertex the count of those around
+/// it: most queries are answered by the counts, without a lookup in the map.
 class SimplexTable {
  public:
   SimplexTable(int k, std::size_t vertices) : k_(k), around_(vertices, 0) {}
@@ -17,13 +17,13 @@ class SimplexTable {
   Index around(Index v) const { return around_[v]; }
   void resize(std::size_t vertices) { around_.resize(vertices, 0); }
 
-  /// Of the first k+1 of these vertices; no_index if it has none.
+  /// The number of the first k+1 of these vertices; no_index if they have none.
   Index find(const Index* v) const {
     if (around_[v[0]] == 0 || around_[v[1]] == 0 || (k_ == 2 && around_[v[2]] == 0)) return no_index;
     return map_.find(simplex_key(v, k_));
   }
 
-  /// no_index removes it. \return what it was
+  /// no_index removes it. \return the previous number
   Index set(const SimplexKey& key, Index number) {
     const Index old = map_.set(key, number);
     if ((old == no_index) != (number == no_index))

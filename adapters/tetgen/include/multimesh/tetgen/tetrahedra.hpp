@@ -10,7 +10,7 @@ namespace multimesh::tetgen {
 
 using Point = std::array<double, 3>;
 
-/// Tetrahedra as plain data. Of a tetrahedron (a, b, c, d), det(b - a, c - a, d - a) > 0: seen from d, the
+/// Tetrahedra as plain data. For a tetrahedron (a, b, c, d), det(b - a, c - a, d - a) > 0: seen from d, the
 /// corners a, b, c run counter-clockwise.
 struct TetrahedraList {
   std::vector<Point> points;                      ///< \#V x 3
