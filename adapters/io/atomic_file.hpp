@@ -9,8 +9,8 @@
 namespace multimesh::io {
 
 /// A file that appears under its name complete or not at all: it is written to a temporary file in the same
-/// directory, which commit() renames. Without a commit the temporary is removed and an older file of the name
-/// stays as it was. Permissions of an older file are kept. Not copyable; one thread at a time.
+/// directory, which commit() renames. Without a commit the temporary file is removed, and an older file of
+/// that name is unchanged. Permissions of an older file are kept. Not copyable; one thread at a time.
 class AtomicFile {
  public:
   /// \throw InputError when the target is a directory or a device, or its directory does not exist or cannot
@@ -30,15 +30,15 @@ class AtomicFile {
   void close_and_remove() noexcept;
   [[noreturn]] void fail(const std::string& what, int error) const;
 
-  std::string name_;       ///< as the caller gave it
+  std::string name_;       ///< as given by the caller
   std::string target_;     ///< with links followed
   std::string temporary_;  ///< empty once renamed or removed
   int fd_ = -1;
   int slot_ = -1;
 };
 
-/// SIGINT, SIGTERM and SIGHUP then remove the temporary files of all pending AtomicFiles, and end the process
-/// as they would have without this. For programs, once at the start of main; the library never calls it.
+/// Makes SIGINT, SIGTERM and SIGHUP remove the temporary files of all pending AtomicFiles, and then end the
+/// process as they otherwise would. For programs, once at the start of main; the library never calls it.
 /// Signals that are ignored stay ignored. SIGXFSZ is ignored, so that a write beyond a limit is an error.
 void install_signal_cleanup();
 

@@ -6,8 +6,8 @@
 
 namespace multimesh::io {
 
-/// Blanks are passed over, and padding may be anywhere: several encoded pieces one after the other are read
-/// as one. False when another character occurs.
+/// Blanks are skipped, and padding may be anywhere: several encoded pieces in sequence are read as one. False
+/// when another character occurs.
 bool decode_base64(std::string_view text, std::string& bytes);
 
 std::string encode_base64(std::string_view bytes);

@@ -9,7 +9,7 @@
 
 namespace multimesh::io {
 
-/// What a cell of a file is for us, whatever its order: its corners come first in every format that we read.
+/// How we treat a cell of a file, whatever its order: its corners come first in every format that we read.
 enum class CellShape : std::uint8_t {
   vertex,
   edge,
@@ -45,8 +45,8 @@ constexpr int dimension_of(CellShape shape) {
   }
 }
 
-/// Hands the corners of a cell to the builder. `nodes` are all its points.
-/// \throw InputError for a volume that is no tetrahedron.
+/// Passes the corners of a cell to the builder. `nodes` are all its points. \throw InputError for a volume
+/// that is not a tetrahedron.
 inline void add_cell(SimplexBuilder& builder, const CellType& type, std::span<const std::uint32_t> nodes,
                      std::int32_t tag, std::uint64_t where) {
   if (type.shape == CellShape::other_volume)

@@ -9,7 +9,7 @@
 
 namespace multimesh::io {
 
-/// How often something was found in the faces of a file, and in which first.
+/// How often something was found in the faces of a file, and the first face where it was.
 struct FirstFace {
   std::size_t count = 0;
   std::size_t first = 0;
@@ -19,7 +19,7 @@ struct FirstFace {
   }
 };
 
-/// \throw InputError naming the line of face f, or where there is none its number
+/// \throw InputError naming the line of face f, or its number if there is no line
 [[noreturn, gnu::noinline, gnu::cold]] inline void fail_at_face(const PolygonSoup& soup,
                                                                 const std::string& file, std::size_t f,
                                                                 const std::string& message) {
@@ -27,7 +27,7 @@ struct FirstFace {
   fail_file(file, "face " + std::to_string(f) + " (from 0): " + message);
 }
 
-/// A warning that names the line of face f, or where there is none its number.
+/// A warning that names the line of face f, or its number if there is no line.
 inline void warn_at_face(PolygonSoup& soup, const std::string& file, std::size_t f,
                          const std::string& message) {
   const std::size_t line = soup.face_line[f];

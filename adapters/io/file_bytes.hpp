@@ -11,8 +11,8 @@
 
 namespace multimesh::io {
 
-/// A file that is read once, from its beginning: no more bytes than it has when it is opened. A file that
-/// another program truncates meanwhile does no harm, as it would under a memory map.
+/// A file that is read once, from its beginning, up to the size it had when it was opened. If another program
+/// truncates it meanwhile, nothing breaks, as it would with a memory map.
 class InputFile {
  public:
   /// \throw InputError when the file is missing, a directory, a device or unreadable; each says so.
@@ -21,7 +21,7 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// Bytes that are not read yet, if it was not truncated.
+  /// The number of bytes not read yet, if it was not truncated.
   std::size_t left() const { return left_; }
   /// The next bytes. \return how many: fewer than `size` at the end only. \throw InputError
   std::size_t read(char* to, std::size_t size);
@@ -48,10 +48,10 @@ class FileBytes {
   std::size_t size_ = 0;
 };
 
-/// A text file piece by piece, in one buffer. A piece ends where a line does that goes on in no other one (by
-/// a
-/// `\` at its end); the last piece ends with the file. The others have `least` bytes or more: as many as the
-/// lines need. A text without LF is one piece.
+/// A text file piece by piece, in one buffer. Each piece ends at the end of a line that
+/// is not continued (by a `\` at its end); the last piece ends with the file. Pieces
+/// have at least `least` bytes: as many as whole lines need. A text without LF is one
+/// piece.
 class TextPieces {
  public:
   /// \throw InputError as InputFile
@@ -60,7 +60,7 @@ class TextPieces {
 
   /// Valid until the next call; empty at the end. \throw InputError
   std::string_view next();
-  /// Of the file when it was opened.
+  /// Size of the file when it was opened.
   std::size_t size() const { return size_; }
 
  private:
@@ -71,7 +71,7 @@ class TextPieces {
   std::size_t size_;
   std::size_t least_;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0;  // of what is in the buffer and was not given out
+  std::size_t begin_ = 0, end_ = 0;  // of the bytes in the buffer that were not returned yet
 };
 
 }  // namespace multimesh::io

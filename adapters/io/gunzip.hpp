@@ -14,12 +14,12 @@ inline bool is_gzip(std::string_view bytes) {
   return bytes.starts_with("\x1F\x8B");
 }
 
-/// The content of a gzip file, of all its members. Cost: memory for the content.
-/// \throw InputError naming `file` when the data is damaged or truncated.
+/// The content of a gzip file, of all its members. Cost: memory for the content. \throw InputError naming
+/// `file` when the data is damaged or truncated.
 std::string gunzip(std::string_view bytes, const std::string& file);
 
-/// The content of one zlib stream, as VTK has them. At most `most` bytes.
-/// \throw InputError naming `file` when it is damaged, truncated or longer.
+/// The content of one zlib stream, as in VTK files. At most `most` bytes. \throw InputError naming `file`
+/// when it is damaged, truncated or longer.
 std::string inflate_zlib(std::string_view bytes, std::size_t most, const std::string& file);
 
 /// One zlib stream with that content.
@@ -38,7 +38,7 @@ class UnpackedBytes {
   std::string unpacked_;
 };
 
-/// The extension that says the format, in lower case: of `a.msh.gz` it is `.msh`.
+/// The extension that determines the format, in lower case: for `a.msh.gz` it is `.msh`.
 std::string format_extension(const std::filesystem::path& path);
 
 }  // namespace multimesh::io

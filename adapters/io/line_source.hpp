@@ -11,9 +11,9 @@
 
 namespace multimesh::io {
 
-/// The lines of a text, with LF, CRLF or (when there is no LF at all) CR ends. When asked for, a `\` at the
-/// end of a line of an OBJ file joins the next line to it, but for comments and where the next line is none
-/// or a statement of its own: there the `\` is the end of a name, or a slip and left out.
+/// The lines of a text, with LF, CRLF or (when there is no LF at all) CR ends. On request, a `\` at the end
+/// of a line of an OBJ file joins the next line to it, except for comments and where the next line does not
+/// exist or is a statement itself: there the `\` is the end of a name, or a mistake and left out.
 class LineSource {
  public:
   enum class Continuation { joined, ignored };
@@ -23,7 +23,7 @@ class LineSource {
         end_of_line_(text.find('\n') == std::string_view::npos ? '\r' : '\n'),
         continuation_(continuation) {}
 
-  /// Goes on with a text that follows the one before. \pre that one was taken up to its end, a line end
+  /// Continues with a text that follows the previous one. \pre that one was read up to its end, a line end
   void go_on(std::string_view text) {
     text_ = text;
     at_ = 0;
@@ -39,10 +39,10 @@ class LineSource {
     return true;
   }
 
-  /// Of the line that next() returned, counted from 1; of its first part when lines were joined.
+  /// Number of the line that next() returned, from 1; if lines were joined, that of the first part.
   std::size_t number() const { return number_; }
 
-  /// Bytes taken from the current text, line ends included.
+  /// Bytes read from the current text, line ends included.
   std::size_t offset() const { return at_; }
 
  private:

@@ -13,20 +13,20 @@ namespace multimesh::io {
 /// An MTL file that a mesh file names.
 struct MaterialLibrary {
   std::filesystem::path path;  ///< empty: not found
-  std::string text;            ///< what of it is MTL; empty if there is a problem
-  std::string problem;         ///< why it is not used, or what of it is not; to follow its name in a sentence
+  std::string text;            ///< its MTL statements; empty if there is a problem
+  std::string problem;         ///< why it, or part of it, is not used; follows its name in a sentence
 };
 
-/// Reads it, if it is found as find_file() has it in or below the directory of `file`, or anywhere if paths
-/// are followed. What is no MTL file is never read into `text`, whatever its name. Does not throw.
+/// Reads it if find_file() finds it in or below the directory of `file`, or anywhere if paths are followed.
+/// Only MTL is ever read into `text`, whatever the name of the file. Does not throw.
 MaterialLibrary read_material_library(std::string_view name, const std::filesystem::path& file,
                                       bool follow_paths);
 
-/// Of a file that is outside of the directory of `file`: why it is not used, to follow its name in a
+/// Why a file outside the directory of `file` is not used, to follow its name in a
 /// sentence.
 std::string outside_of_directory(const std::filesystem::path& file);
 
-/// Finds the textures of a library: beside it, or else beside the mesh file. Notes what is missing.
+/// Finds the textures of a library: beside it, or else beside the mesh file. Records missing ones.
 class TextureFinder {
  public:
   TextureFinder(const std::filesystem::path& library, const std::filesystem::path& file, bool follow_paths);
@@ -34,7 +34,7 @@ class TextureFinder {
   /// As find_file().
   FoundFile operator()(std::string_view name);
 
-  /// One sentence about all that were not found, or none.
+  /// One sentence about all that were not found, or nothing.
   std::vector<std::string> warnings() const;
 
  private:

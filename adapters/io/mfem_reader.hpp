@@ -9,11 +9,11 @@
 
 namespace multimesh::io {
 
-/// Parses an `MFEM mesh v1.0` whose vertices have coordinates. Attributes are the tags; elements and the
-/// boundary are simplices of their dimensions. `path` is what messages name.
-/// \throw InputError `FILE:LINE: what; what to do`, also for curved and periodic meshes, of which the
-/// vertices
-///   have no coordinates, and for volume elements other than tetrahedra.
+/// Parses an `MFEM mesh v1.0` whose vertices have coordinates. Attributes are the tags;
+/// elements and the boundary are simplices of their dimensions. Messages name `path`.
+/// \throw InputError `FILE:LINE: what; what to do`, also for curved and periodic
+/// meshes, whose vertices have no coordinates, and for volume elements other than
+/// tetrahedra.
 SimplexSoup parse_mfem(std::string_view bytes, const std::filesystem::path& path,
                        const ReadOptions& options = {});
 

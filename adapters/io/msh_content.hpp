@@ -18,34 +18,34 @@ namespace multimesh::io {
 
 /// A geometrical entity, or a part of one.
 struct ReadEntity {
-  std::int32_t tag = 0;                 ///< of the entity that it is, or is a part of
-  std::vector<std::int32_t> physicals;  ///< tags of the groups that it is in
-  bool is_partition_border = false;     ///< it is there only because the mesh is partitioned
+  std::int32_t tag = 0;                 ///< of the entity that it is, or of which it is part
+  std::vector<std::int32_t> physicals;  ///< tags of its groups
+  bool is_partition_border = false;     ///< exists only because the mesh is partitioned
 };
 
-/// What the sections of one Gmsh file have in common while they are read.
+/// What the sections of one Gmsh file share while they are read.
 class MshContent {
  public:
   MshContent(MshSource& source, SimplexBuilder& builder) : in(source), out(builder) {}
 
-  /// \throw InputError when there is a point of this number already.
+  /// \throw InputError when a point with this number exists already.
   void add_point(std::uint64_t number, const std::array<double, 3>& point, std::uint64_t where);
-  /// All points at once, of these numbers. Points whose numbers are 1 to n are sorted by them.
+  /// Adds all points at once, with these numbers. Points whose numbers are 1 to n are sorted by them.
   /// \throw InputError as add_point
   void add_points(std::span<const std::uint64_t> numbers, std::span<const std::array<double, 3>> points,
                   std::span<const std::uint64_t> where);
-  /// \throw InputError when there is none.
+  /// \throw InputError when there is no such point.
   std::uint32_t point(std::uint64_t number, std::uint64_t where) const;
 
-  /// The type that the file calls so. \throw InputError when it is not known.
+  /// The type with this number in the file. \throw InputError when it is not known.
   const CellType& element_type(std::int64_t number, std::uint64_t where) const;
-  /// An element with both kinds of tag; which one is kept is decided in finish().
+  /// Adds an element with both kinds of tag; finish() decides which one is kept.
   void add_element(const CellType& type, std::span<const std::uint32_t> nodes, std::int32_t physical,
                    std::int32_t entity, std::uint64_t where);
-  /// The number of the element that is added next. Elements of one dimension are sorted by their numbers.
+  /// The number of the next element. Elements of one dimension are sorted by their numbers.
   void set_number(std::uint64_t number) { number_ = number; }
 
-  /// At the end. Per dimension: where no physical tag is there, the tags of entities take their place.
+  /// At the end. Per dimension: if there is no physical tag, the tags of entities are used instead.
   void finish();
 
   MshSource& in;
@@ -60,7 +60,7 @@ class MshContent {
   void sort_elements();
 
   PointNumbers numbers_;
-  std::array<std::vector<std::int32_t>, 4> entity_tags_;  // beside the builder's, which are physical
+  std::array<std::vector<std::int32_t>, 4> entity_tags_;  // in addition to the builder's, which are physical
   std::vector<std::int32_t> polygon_entity_tags_;
   std::uint64_t number_ = 0;
   std::array<std::vector<std::uint64_t>, 4> numbers_of_;  // likewise

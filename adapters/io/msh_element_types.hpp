@@ -9,8 +9,8 @@
 
 namespace multimesh::io {
 
-/// The element types of Gmsh by their numbers, of those that have a fixed number of nodes.
-/// \return nullptr for others
+/// The element types of Gmsh with a fixed number of nodes, by their numbers. \return nullptr for
+/// others
 inline const CellType* msh_element_type(std::int64_t number) {
   using enum CellShape;
   static constexpr std::array<std::pair<int, CellType>, 78> types = {{

@@ -19,16 +19,16 @@ struct MshEntity {
   void add(const std::array<double, 3>& point);
 };
 
-/// The entities of one dimension, and the one that each simplex is written in.
+/// The entities of one dimension, and the entity in which each simplex is written.
 struct MshEntities {
   std::map<std::int32_t, MshEntity> by_number;
   std::vector<std::int32_t> of_simplex;
 };
 
-/// The entities that a soup is written with, by dimension. An entity has the number of its simplices' tag.
+/// The entities with which a soup is written, by dimension. An entity has the number of its simplices' tag.
 /// Entities that periodic links name have the number given there, and hold the simplices all of whose corners
-/// are among their points; where those have different tags, or the number is another entity's, numbers that
-/// are not in use are taken. Cost: O(n log n)
+/// are among their points. If those have different tags, or the number is another entity's, unused numbers
+/// are taken. Cost: O(n log n)
 std::array<MshEntities, 4> msh_entities(const SimplexSoup& soup);
 
 }  // namespace multimesh::io

@@ -61,7 +61,7 @@ class MshSink {
       out_.character(' ');
       out_.number(group.tag);
       out_.text(" \"");
-      for (const char c : group.name) out_.character(c >= 0 && c < ' ' ? '_' : c);  // quotes as they came
+      for (const char c : group.name) out_.character(c >= 0 && c < ' ' ? '_' : c);  // quotes unchanged
       out_.text("\"");
     }
     out_.text("\n$EndPhysicalNames\n");

@@ -22,9 +22,9 @@ class MshSource {
 
   /// The name of the next section without `$`. False at the end of the file.
   bool next_section(std::string& name);
-  /// `$EndNAME` has to come now.
+  /// Requires `$EndNAME` at this place.
   void end_section(const std::string& name);
-  /// Goes on behind `$EndNAME`.
+  /// Continues after `$EndNAME`.
   void skip_section(const std::string& name);
 
   /// Raw bytes begin on the next line, if the file is binary.
@@ -33,10 +33,10 @@ class MshSource {
   std::int32_t integer(std::string_view what);  ///< 4 bytes
   std::uint64_t size(std::string_view what);    ///< 8 bytes
   double real(std::string_view what);           ///< 8 bytes
-  /// A size that is a number of things of so many numbers each. \throw InputError when the rest is too short.
+  /// The number of things that have so many numbers each. \throw InputError when the rest is too short.
   std::size_t count(std::string_view what, std::size_t numbers_each);
 
-  /// Where the last number was, for SimplexBuilder: its line in a text file, otherwise `number`.
+  /// The place of the last number, for SimplexBuilder: its line in a text file, otherwise `number`.
   std::uint64_t where(std::uint64_t number) const { return binary_ ? number : words_.line(); }
   WordSource& words() { return words_; }
   [[noreturn]] void fail(const std::string& message) const { words_.fail(message); }

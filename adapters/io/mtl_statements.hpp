@@ -10,14 +10,14 @@ namespace multimesh::io {
 /// The texture statements of MTL files: map_*, bump, disp, decal, refl, norm.
 bool is_texture_statement(std::string_view word);
 
-/// The lines of a text that are blank, comments or statements of an MTL file with arguments as they must be;
-/// all others are counted and left out.
+/// The lines of a text that are blank, comments or statements of an MTL file with valid arguments; all others
+/// are counted and left out.
 struct MtlText {
   std::string text;
   std::size_t statements = 0;  ///< that were kept
   std::size_t left_out = 0;    ///< lines
 
-  /// Anything else is not a material library: there is no statement, or the most are none.
+  /// A text is not a material library if it has no statement, or most of its lines are not statements.
   bool is_mtl() const { return statements > left_out; }
 };
 

@@ -7,7 +7,7 @@
 
 namespace multimesh::io {
 
-/// Calls `work`. An InputError that it throws gets the name of the file in front.
+/// Calls `work`. The name of the file is prepended to an InputError that it throws.
 template <class Work>
 auto naming(const std::filesystem::path& file, Work&& work) {
   try {

@@ -7,8 +7,8 @@
 
 namespace multimesh::io {
 
-/// Appends a warning for each kind of thing that the notes say was left out or replaced while reading `file`.
-/// What check_soup counts is not repeated here.
+/// Appends a warning for each kind of thing that, according to the notes, was left out or replaced while
+/// reading `file`. What check_soup counts is not repeated here.
 void add_note_warnings(PolygonSoup& soup, const std::string& file);
 
 }  // namespace multimesh::io

@@ -7,7 +7,7 @@
 
 namespace multimesh::io {
 
-/// OBJ statements for free-form curves and surfaces, display attributes and superseded things: known, and
+/// OBJ statements for free-form curves and surfaces, display attributes and superseded things: known, but
 /// left out.
 constexpr bool is_free_form(std::string_view word) {
   constexpr std::array<std::string_view, 27> words = {
@@ -22,13 +22,13 @@ constexpr std::string_view first_word(std::string_view line) {
   return line.substr(0, line.find_first_of(" \t"));
 }
 
-/// Whether a trimmed line of an OBJ file is a statement, a comment or empty, and so does not go on with what
-/// the line before has begun.
+/// Whether a trimmed line of an OBJ file is a statement, a comment or empty, so that it does not continue the
+/// line before.
 constexpr bool is_obj_statement(std::string_view line) {
   constexpr std::array<std::string_view, 13> words = {"v", "vt", "vn", "f",      "fo",     "l",     "p",
                                                       "o", "g",  "s",  "usemtl", "mtllib", "newmtl"};
   if (line.empty() || line.starts_with('#')) return true;
-  // A name may be equal to a keyword, but does not have what follows one.
+  // A name may equal a keyword, but is not followed by its arguments.
   const std::string_view word = first_word(line);
   return word.size() < line.size() && (std::ranges::find(words, word) != words.end() || is_free_form(word));
 }

@@ -10,8 +10,8 @@
 namespace multimesh::io {
 
 /// Parses a text file in Geomview's OFF format and its variants with normals, colours and texture coordinates
-/// of vertices (NOFF, COFF, STOFF, …), comments and polygons. Colours of faces are left out. `path` is what
-/// messages name.
+/// of vertices (NOFF, COFF, STOFF, …), comments and polygons. Colours of faces are left out. Messages name
+/// `path`.
 /// \throw InputError `FILE:LINE: what; what to do`, for binary and four-dimensional variants, and as
 /// check_soup
 ///   does.

@@ -12,7 +12,7 @@
 
 namespace multimesh::io {
 
-/// Collects text and binary numbers, and hands them to the file in large pieces. flush() at the end.
+/// Collects text and binary numbers, and writes them to the file in large pieces. Call flush() at the end.
 class OutputBuffer {
  public:
   explicit OutputBuffer(AtomicFile& file) : file_(file) {}
@@ -30,7 +30,7 @@ class OutputBuffer {
     data_[used_++] = c;
   }
 
-  /// The fewest digits from which the same number is read again.
+  /// The fewest digits that reproduce the same number.
   template <class Number>
   void number(Number value) {
     room();

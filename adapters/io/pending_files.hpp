@@ -5,10 +5,10 @@
 
 namespace multimesh::io {
 
-/// Temporary files that a signal handler must remove. A fixed table: a handler may not allocate or lock.
-/// \return the slot, or -1 when the table (64 files) is full or the path too long: it is then not removed on
-/// a
-///   signal, and everything else works.
+/// Temporary files that a signal handler must remove. A fixed table, because a handler
+/// may not allocate or lock. \return the slot, or -1 when the table (64 files) is full
+/// or the path too long: the file is then not removed on a signal, but everything else
+/// works.
 int remember_pending(const std::string& path) noexcept;
 
 /// \pre slot from remember_pending; -1 does nothing.

@@ -15,15 +15,15 @@ inline double area2(const Point2& a, const Point2& b, const Point2& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// A k-d tree of points in the plane, from which points are taken out one by one. Keeps its memory from one
-/// set of points to the next.
+/// A k-d tree of points in the plane, from which points are removed one by one. Reuses its memory for the
+/// next set of points.
 class PlaneTree {
  public:
   static constexpr std::uint32_t nothing = ~std::uint32_t{0};
 
-  /// The points must stay where they are. Cost: O(n log n)
+  /// The points must not move. Cost: O(n log n)
   void build(std::span<const Point2> points);
-  /// \pre it is in the tree. Cost: O(log n)
+  /// \pre the point is in the tree. Cost: O(log n)
   void remove(std::uint32_t point);
 
   /// Some point in a counter-clockwise triangle: inside or on its edge from c to a, at none of its corners;

@@ -21,12 +21,12 @@ class PlyBody {
   double value(PlyType type);
   /// The length of a list.
   std::size_t list_size(PlyType type);
-  /// ASCII: the line must be used up.
+  /// ASCII: requires that the whole line has been read.
   void end_row();
 
   /// Of the row, counted from 1; 0 in a binary file.
   std::size_t line() const { return ascii_ ? header_lines_ + lines_.number() : 0; }
-  /// Non-blank bytes that no row took.
+  /// Non-blank bytes that belong to no row.
   std::size_t unread() const;
 
   [[noreturn]] void fail(const std::string& message) const;

@@ -36,7 +36,7 @@ struct PlyHeader {
   std::size_t lines = 0;
 };
 
-/// \throw InputError naming the line that is wrong, or that end_header is missing.
+/// \throw InputError naming the line that is wrong, or saying that end_header is missing.
 PlyHeader read_ply_header(std::string_view bytes, std::string_view file);
 
 }  // namespace multimesh::io

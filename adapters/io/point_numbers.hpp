@@ -6,11 +6,11 @@
 
 namespace multimesh::io {
 
-/// The numbers that a file gives its points, any ones, and the indices 0, 1, … that these points have with
-/// us. Nothing is stored as long as the numbers ascend by one.
+/// The arbitrary numbers that a file gives its points, and our indices 0, 1, … of these points. Nothing is
+/// stored as long as the numbers ascend by one.
 class PointNumbers {
  public:
-  /// The next point. False when there is one of this number already.
+  /// Adds the next point. False when a point with this number exists already.
   bool add(std::uint64_t number) {
     if (count_ == 0) first_ = number;
     if (map_.empty() && number != first_ + count_)
@@ -21,7 +21,7 @@ class PointNumbers {
     return true;
   }
 
-  /// False when there is none of this number.
+  /// False when there is no such number.
   bool find(std::uint64_t number, std::uint32_t& index) const {
     if (map_.empty()) {
       index = static_cast<std::uint32_t>(number - first_);

@@ -10,23 +10,23 @@
 
 namespace multimesh::io {
 
-/// Ear clipping of one polygon in the plane, counter-clockwise. Keeps its memory from one polygon to the
-/// next. Cost: O(n log n) in practice.
+/// Ear clipping of one polygon in the plane, counter-clockwise. Reuses its memory for the next polygon. Cost:
+/// O(n log n) in practice.
 class PolygonClipper {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// \param points the corners in order, at least three.
   /// \param names equal for corners that are the same vertex; a triangle with two equal names is the last
-  /// choice. \return n-2 triangles of indices into points, valid until the next call. Each polygon edge is in
-  /// one of them.
+  /// choice. \return n-2 triangles of indices into points, valid until the next call. Each polygon edge is
+  /// in one of them.
   std::span<const Triangle> clip(std::span<const Point2> points, std::span<const std::int32_t> names);
 
  private:
   enum class Rank : std::uint8_t { pinched, inverted, blocked, flat, ear };
   struct Node {
     std::uint32_t before, after;
-    std::uint32_t judged;   ///< how often; what was found earlier is void
+    std::uint32_t judged;   ///< how often; earlier results are void
     std::uint32_t blocked;  ///< first entry of blocked_ for corners that this one blocks
   };
   /// The triangle (before, self, after) at a corner.

@@ -10,8 +10,8 @@
 namespace multimesh::io {
 
 /// The positions, the polygons cut into triangles (see triangulate), and the polylines as edges, with tag 0.
-/// Triangles have a tag per object and group of the file, counted from 1, and its name; 0 where it has none.
-/// Texture coordinates, normals and colours are left out. Warnings go over. `path` is what messages name.
+/// Triangles have one tag per object and group of the file, counted from 1, with its name; 0 where it has
+/// none. Texture coordinates, normals and colours are left out. Warnings are copied. Messages name `path`.
 /// \throw InputError as SimplexBuilder::finish
 SimplexSoup to_simplices(PolygonSoup polygons, const std::filesystem::path& path,
                          const ReadOptions& options = {});
@@ -20,8 +20,8 @@ SimplexSoup to_simplices(PolygonSoup polygons, const std::filesystem::path& path
 /// \pre indices fit into 31 bits
 PolygonSoup to_polygons(const SimplexSoup& soup);
 
-/// The same with a section for each tag of triangles: its group are the names of its groups, or
-/// their tags.
+/// The same with one section per tag of triangles; its group is the names of its groups, or their
+/// tags.
 PolygonSoup to_grouped_polygons(const SimplexSoup& soup);
 
 }  // namespace multimesh::io

@@ -15,7 +15,7 @@ struct RepeatedFace {
 };
 
 /// The faces whose vertices, in any order, are those of an earlier face; ascending. Faces without corners are
-/// passed over. Cost: O(\#F log) at worst, linear in practice.
+/// skipped. Cost: O(\#F log) at worst, linear in practice.
 /// \pre every vertex index is in range.
 std::vector<RepeatedFace> repeated_faces(const PolygonSoup& soup);
 

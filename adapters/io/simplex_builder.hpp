@@ -27,40 +27,40 @@ class SimplexBuilder {
 
   /// \throw InputError when a coordinate is nan or inf.
   void add_point(const std::array<double, 3>& point, std::uint64_t where);
-  /// Room for as many more points. \pre checked against the size of the file
+  /// Reserves room for more points. \pre checked against the size of the file
   void reserve_points(std::size_t more) { soup_.points.reserve(soup_.points.size() + more); }
   void reserve(int dimension, std::size_t more);
 
-  /// The index of the point that the file calls `number`; whether it is there is asked in finish().
+  /// The index of the point with this `number` in the file; finish() checks whether it exists.
   /// \throw InputError when no file can have that point.
   std::uint32_t point_index(std::int64_t number, std::uint64_t where) const;
 
   /// \pre corners.size() == dimension + 1
   void add(int dimension, std::span<const std::uint32_t> corners, std::int32_t tag, std::uint64_t where,
            std::uint8_t flags = 0);
-  /// Of three corners or more; finish() cuts it into triangles.
+  /// A polygon of three corners or more; finish() cuts it into triangles.
   void add_polygon(std::span<const std::uint32_t> corners, std::int32_t tag, std::uint64_t where);
-  /// Sets flags of the simplex that the file calls `number`, of those that are added so far.
+  /// Sets a flag of the simplex with this `number` in the file, among those added so far.
   void add_flag(int dimension, std::int64_t number, SimplexFlag flag, std::uint64_t where);
 
-  /// Puts the simplices of one dimension into this order, of their indices. \pre none has flags
+  /// Puts the simplices of one dimension into this order, by their indices. \pre none has flags
   void reorder(int dimension, std::span<const std::size_t> order);
 
-  /// A thing that is not kept, by its name; one warning lists them.
+  /// Something that is not kept, by its name; one warning lists all.
   void left_out(std::string_view name, std::size_t count = 1);
   void warn(const std::string& message) { soup_.warnings.push_back(file_ + ": " + message); }
   SimplexNotes& notes() { return soup_.notes; }
-  /// For tags, groups and periodic links, which are the reader's own affair.
+  /// For tags, groups and periodic links, for which the reader is responsible.
   SimplexSoup& soup() { return soup_; }
-  /// Leaves it to others what simplices of the same points are.
+  /// Does not unite simplices with the same points; the caller does.
   void keep_repeated() { keeps_repeated_ = true; }
-  /// Of the polygons that were added and are not triangles, in their order.
+  /// The tags of the added polygons that are not triangles, in their order.
   std::vector<std::int32_t>& polygon_tags() { return polygon_tags_; }
 
-  /// Checks every index, cuts polygons into triangles, removes simplices that name a vertex twice, and makes
-  /// one of those with the same points (unite_repeated_simplices).
-  /// \throw InputError for a point that is not there, more repeated vertices than `options` allows, and when
-  ///   there is no simplex at all.
+  /// Checks every index, cuts polygons into triangles, removes simplices that name a vertex twice, and
+  /// makes one of those with the same points (unite_repeated_simplices). \throw InputError for a point
+  /// that does not exist, more repeated vertices than `options` allows, and when there is no simplex at
+  /// all.
   SimplexSoup finish(const ReadOptions& options);
 
   [[noreturn]] void fail(std::uint64_t where, const std::string& message) const;

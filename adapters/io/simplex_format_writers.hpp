@@ -15,13 +15,13 @@ namespace multimesh::io {
 /// subject of a sentence (`names of groups`). \pre the soup was checked
 using Lost = std::vector<std::string>;
 
-/// Of Gmsh's formats, tags must be positive (make_tags_positive).
-/// \throw InputError when version 2.2 cannot hold the sizes. `file` is what messages name.
+/// For Gmsh's formats, tags must be positive (make_tags_positive). \throw InputError when version 2.2 cannot
+/// hold the sizes. Messages name `file`.
 void put_msh2(OutputBuffer& out, const SimplexSoup& soup, bool binary, const std::string& file, Lost& lost);
 void put_msh4(OutputBuffer& out, const SimplexSoup& soup, bool binary, Lost& lost);
 void put_medit(OutputBuffer& out, const SimplexSoup& soup, Lost& lost);
 void put_vtu(OutputBuffer& out, const SimplexSoup& soup, bool binary, Lost& lost);
-/// \throw InputError when a coordinate is too large for a float. `file` is what messages name.
+/// \throw InputError when a coordinate is too large for a float. Messages name `file`.
 void put_stl(OutputBuffer& out, const SimplexSoup& soup, bool binary, const std::string& file);
 void put_off(OutputBuffer& out, const SimplexSoup& soup);
 void put_ply(OutputBuffer& out, const SimplexSoup& soup, bool binary);

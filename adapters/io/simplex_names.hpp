@@ -5,7 +5,7 @@
 
 namespace multimesh::io {
 
-/// What messages call a simplex, by its dimension.
+/// Names of simplices in messages, by dimension.
 inline constexpr std::array<const char*, 4> simplex_names = {"vertex", "edge", "triangle", "tetrahedron"};
 inline constexpr std::array<const char*, 4> simplex_plurals = {"vertices", "edges", "triangles",
                                                                "tetrahedra"};

@@ -18,7 +18,7 @@ constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Of ASCII letters; all other characters stay.
+/// For ASCII letters; all other characters stay.
 constexpr char lower_case(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -35,8 +35,8 @@ constexpr std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// A trimmed name without the comment that follows it: from a `#` after a blank to the end. Names that have
-/// such a `#` of their own are those of exporters that number them, as in `Material #25`.
+/// A trimmed name without the comment that follows it: from a `#` after a blank to the end. Names with such a
+/// `#` of their own, as in `Material #25`, come from exporters that number them.
 constexpr std::string_view without_comment(std::string_view name) {
   for (std::size_t i = name.find('#'); i != std::string_view::npos; i = name.find('#', i + 1)) {
     const char next = i + 1 < name.size() ? name[i + 1] : ' ';
@@ -76,8 +76,8 @@ class TextCursor {
     return {begin, static_cast<std::size_t>(at_ - begin)};
   }
 
-  /// The next word as a number, rounded to the nearest double; nan and inf are numbers here, and so is what
-  /// is too large (inf) or too small (0) for a double. False: not a number, nothing was taken.
+  /// The next word as a number, rounded to the nearest double; accepts nan and inf, and numbers too large
+  /// (inf) or too small (0) for a double. False: not a number, nothing was read.
   bool number(double& value) {
     skip_blanks();
     const char* begin = at_;
@@ -91,7 +91,7 @@ class TextCursor {
     return true;
   }
 
-  /// An integer of at most 18 digits, followed by anything. False: none here, nothing was taken.
+  /// An integer of at most 18 digits, followed by anything. False: none here, nothing was read.
   bool integer(std::int64_t& value) {
     const char* digit = at_;
     const bool negative = digit != end_ && *digit == '-';

@@ -8,8 +8,8 @@
 
 namespace multimesh::io {
 
-/// Removes points that no simplex names, as those of higher order that readers keep; the others keep their
-/// order. Periodic pairs of which a point is removed go with it. Cost: linear.
+/// Removes points that no simplex names, such as those of higher order that readers keep; the others keep
+/// their order. Also removes periodic pairs that lose a point. Cost: linear.
 /// \return #points before: the new index of each, 4294967295 where it is removed
 std::vector<std::uint32_t> remove_unused_points(SimplexSoup& soup);
 

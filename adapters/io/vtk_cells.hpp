@@ -11,7 +11,7 @@
 
 namespace multimesh::io {
 
-/// The cells of an unstructured grid of VTK, as both of its formats have them.
+/// The cells of an unstructured grid of VTK, as both of its formats store them.
 struct VtkCells {
   std::vector<std::int64_t> connectivity;  ///< points of all cells, one after the other
   std::vector<std::int64_t> ends;          ///< \#C: where in connectivity a cell ends
@@ -20,7 +20,7 @@ struct VtkCells {
 };
 
 /// The kinds of cells of a data set PolyData, in the order of its cell data, by their names in the legacy and
-/// in the XML format, with the cell type of an unstructured grid that is like them.
+/// in the XML format, with the corresponding cell type of an unstructured grid.
 struct VtkPolyKind {
   std::string_view section, element;
   std::int64_t type;
@@ -30,7 +30,7 @@ constexpr std::array<VtkPolyKind, 4> vtk_poly_kinds = {{{"vertices", "Verts", 2}
                                                         {"polygons", "Polys", 7},
                                                         {"triangle_strips", "Strips", 6}}};
 
-/// Hands the cells to the builder: points are counted from `first_point`, cells from `first_cell` in
+/// Passes the cells to the builder: points are counted from `first_point`, cells from `first_cell` in
 /// messages. Poly-lines and poly-vertices become edges and vertices, strips triangles. \throw InputError for
 /// ends that do not ascend, unknown types, volumes other than tetrahedra.
 void add_vtk_cells(SimplexBuilder& builder, const VtkCells& cells, std::uint32_t first_point,
@@ -40,7 +40,7 @@ void add_vtk_cells(SimplexBuilder& builder, const VtkCells& cells, std::uint32_t
 /// medit:ref, gmsh:physical, …), otherwise the first.
 class VtkTagChoice {
  public:
-  /// \return whether this array is the choice up to now
+  /// \return whether this array is the choice so far
   bool offer(std::string_view name);
   const std::string& name() const { return name_; }
   bool has_choice() const { return chosen_; }

@@ -12,7 +12,7 @@
 
 namespace multimesh::io {
 
-/// T from a value of another type. False when it would lose something.
+/// T from a value of another type. False if it would lose information.
 template <class T, class Stored>
 bool convert(Stored value, T& result) {
   if constexpr (std::is_integral_v<T> && std::is_floating_point_v<Stored>) {
@@ -37,7 +37,7 @@ bool append(std::string_view bytes, bool swap, std::vector<T>& values) {
 }
 
 /// Appends binary numbers of one of VTK's types. False for an unknown type, a part of a number at the end,
-/// and what T cannot hold exactly, but for the rounding of 64-bit integers to double.
+/// and what T cannot hold exactly, except for the rounding of 64-bit integers to double.
 template <class T>
 bool append_numbers(std::string_view type, std::string_view bytes, bool swap, std::vector<T>& values) {
   if (type == "Float64") return append<T, double>(bytes, swap, values);

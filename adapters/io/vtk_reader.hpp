@@ -10,9 +10,9 @@
 namespace multimesh::io {
 
 /// Parses an unstructured grid or poly data in VTK's legacy format (.vtk), text or binary, with cells as
-/// before version 5 or since. The tag is chosen as parse_vtu does, among scalars and fields of cells. `path`
-/// is what messages name. \throw InputError naming the file and line, byte or cell, also for volumes other
-/// than tetrahedra.
+/// before version 5 or since. The tag is chosen as in parse_vtu, among scalars and fields of cells. Messages
+/// name `path`. \throw InputError naming the file and line, byte or cell, also for volumes other than
+/// tetrahedra.
 SimplexSoup parse_vtk(std::string_view bytes, const std::filesystem::path& path,
                       const ReadOptions& options = {});
 

@@ -23,7 +23,7 @@ class VtuArrays {
             const std::string& file);
 
   std::vector<double> reals(const pugi::xml_node& array) const;
-  /// \throw InputError also for values that are no whole numbers
+  /// \throw InputError also for values that are not integers
   std::vector<std::int64_t> integers(const pugi::xml_node& array) const;
   static bool holds_integers(const pugi::xml_node& array);
 

@@ -10,15 +10,15 @@
 
 namespace multimesh::tetgen {
 
-/// What the input calls its triangles.
+/// The names of triangles in the input.
 struct TriangleNames {
   struct Part {
     std::string name;      ///< empty: none
-    std::string object{};  ///< a larger one that it belongs to; empty: none
+    std::string object{};  ///< a larger part to which it belongs; empty: none
   };
   std::vector<std::int32_t> tags;      ///< per triangle; 0: none
   std::map<std::int32_t, Part> parts;  ///< of tags that have a name
-  bool name_regions = true;            ///< regions may have these names, too
+  bool name_regions = true;            ///< regions may also have these names
 };
 
 /// Numbers and names of what triangles bound, and of the parts of the surface.
@@ -33,13 +33,13 @@ struct Naming {
   std::vector<std::string> warnings;    ///< one sentence each
 };
 
-/// Regions are numbered from 1; a seed whose name is a positive number gives that. A region has the name of
-/// its seed, or else that of the part or object whose triangles enclose it: all triangles at it have this
-/// name, but for those that are listed for a neighbour only. A second region with the same name gets
-/// NAME.2, and so on.
+/// Regions are numbered from 1; a seed whose name is a positive number sets that number. A region has the
+/// name of its seed, or else that of the part or object whose triangles enclose it: all triangles at it have
+/// this name, except those listed only for a neighbour. A second region with the same name gets NAME.2, and
+/// so on.
 ///
-/// A patch is what has the same tags in the input and lies between the same two regions. It keeps its tag
-/// and name where it is all that has the tag; others get new tags, the names of all their parts (A+B), and
+/// A patch is the set of faces with the same tags in the input and between the same two regions. It keeps its
+/// tag and name if no other patch has the tag. Others get new tags, the names of all their parts (A+B), and
 /// those of their two regions (A:REGION|outside) where a part is at several pairs of regions.
 Naming name_parts(const Tetrahedralization& mesh, const TriangleNames& names);
 

@@ -8,12 +8,12 @@
 
 namespace multimesh::tetgen {
 
-/// Whether triangles can be tetrahedralized, as far as their points tell: these are there, finite, distinct
-/// and extend over three axes. Cost: sorting. \throw InputError naming the first element that is wrong,
-/// numbers counted from 0
+/// Checks whether triangles can be tetrahedralized, as far as their points show: the points exist, are
+/// finite, distinct and extend over three axes. Cost: sorting. \throw InputError naming the first element
+/// that is wrong, numbers counted from 0
 void check_points(std::span<const Point> points, const FacetList& triangles);
 
-/// Where facets do not close up, in words: an edge with one facet only; empty if there is none.
+/// An edge with only one facet, in words, where facets do not close up; empty if there is none.
 std::string first_open_edge(const Facets& facets);
 
 }  // namespace multimesh::tetgen

@@ -21,21 +21,21 @@ long double volume_of(std::span<const Point> points, const std::array<Index, 4>&
 /// A bound of the rounding error of volume_of().
 long double least_volume(std::span<const Point> points, const std::array<Index, 4>& corners);
 
-/// Whether the corners are not on one line, up to the roundings of this test: the height over the longest
-/// edge is above the least one.
+/// Whether the corners are not collinear, up to the rounding of this test: the height over the longest edge
+/// is above the least one.
 bool has_area(std::span<const Point> points, const std::array<Index, 3>& corners,
               long double least_height = 0);
 
-/// The volume of the tetrahedron between a triangle and a point, with its sign: positive if the normal points
-/// away from it. Over all triangles around a region, the volume that they enclose.
+/// The signed volume of the tetrahedron between a triangle and a point: positive if the normal points away
+/// from the point. Its sum over all triangles around a region is the volume that they enclose.
 long double cone_volume(std::span<const Point> points, const std::array<Index, 3>& corners,
                         const Point& origin);
 
 /// The length of the diagonal of the points' bounding box.
 long double diagonal(std::span<const Point> points);
 
-/// Whether the parts have the area and direction of the triangle in sum. `diagonal` is the extent of all
-/// points, to which they are rounded.
+/// Whether the parts together have the area and direction of the triangle. `diagonal` is the extent of all
+/// points, which determines their rounding.
 bool is_covered(std::span<const Point> points, const std::array<Index, 3>& triangle,
                 std::span<const std::array<Index, 3>> parts, long double diagonal);
 

@@ -19,7 +19,7 @@ struct WorkerOptions {
   std::uint64_t memory_limit = 0;  ///< bytes; 0: none
 };
 
-/// What TetGen made of a surface, not looked at yet.
+/// TetGen's result for a surface, not verified yet.
 struct RawTetrahedra {
   std::vector<Point> points;
   std::vector<std::array<Index, 4>> tets;
@@ -30,18 +30,18 @@ struct RawTetrahedra {
   std::vector<Face> faces;  ///< on the surface and at the border, in no order or orientation
 };
 
-/// What a worker gets.
+/// The input of a worker.
 struct WorkerInput {
   std::span<const Point> points;
   std::span<const Index> corners;  ///< of triangles, \#F x 3
   std::span<const Point> holes{};  ///< a point in each region that is to be left empty
 };
 
-/// Has a worker tetrahedralize a surface with these switches of TetGen. \throw WorkerError
+/// Makes a worker tetrahedralize a surface with these switches of TetGen. \throw WorkerError
 RawTetrahedra call_worker(const WorkerInput& input, const std::string& switches,
                           const WorkerOptions& options);
 
-/// Has a worker look for triangles that intersect others, and returns the first pairs. \throw WorkerError
+/// Makes a worker find triangles that intersect others, and returns the first pairs. \throw WorkerError
 std::vector<std::array<Index, 2>> find_intersections(const WorkerInput& input, const WorkerOptions& options);
 
 }  // namespace multimesh::tetgen

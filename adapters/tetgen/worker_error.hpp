@@ -7,12 +7,12 @@
 
 namespace multimesh::tetgen {
 
-/// TetGen's process gave no result, or a wrong one. The message says in words how it ended.
+/// TetGen's process returned no result, or a wrong one. The message says in words how it ended.
 class WorkerError : public std::runtime_error {
  public:
   enum class Reason : std::uint8_t {
     missing,    ///< there is no worker program, or it cannot be started
-    time_out,   ///< it was ended when its time was over
+    time_out,   ///< it was killed when its time was over
     memory,     ///< it ran out of memory
     signal,     ///< it crashed
     stopped,    ///< TetGen gave up

@@ -7,7 +7,7 @@ namespace multimesh::tetgen {
 
 /// The program multimesh-tetgen-worker. The first of: the environment variable MULTIMESH_TETGEN_WORKER; the
 /// folder of the running program, ../libexec/multimesh from there; the folder it was installed to; the folder
-/// it was built in. What the variable names is not replaced by another one. \throw WorkerError (missing)
+/// it was built in. If the variable is set, the others are not tried. \throw WorkerError (missing)
 std::filesystem::path worker_path();
 
 }  // namespace multimesh::tetgen

@@ -5,18 +5,18 @@
 
 namespace multimesh::tetgen {
 
-// What the library and its worker tell each other, through two files that both have open. Both are of the
-// same build and on the same machine: plain structs, native byte order. A request is its header, points (3
-// doubles each), triangles (3 Index each) and a point in each hole. A reply is its header, points, tetrahedra
-// (4 Index), faces (3 Index and the triangle, or no_index), pairs of triangles that intersect (2 Index). The
-// reply's header is written last, so that a worker that ends early leaves none, or the one that its failure
-// handlers write.
+// What the library and its worker exchange, through two files that both have open. Both are from the same
+// build and on the same machine: plain structs, native byte order. A request is its header, points (3 doubles
+// each), triangles (3 Index each) and a point in each hole. A reply is its header, points, tetrahedra (4
+// Index), faces (3 Index and the triangle, or no_index), pairs of triangles that intersect (2 Index). The
+// reply's header is written last, so that a worker that ends early leaves none, or the one written by its
+// failure handlers.
 
 inline constexpr std::uint64_t request_magic = 0x3152'5447'4d4d'0002;  // changes with the structs below
 inline constexpr std::uint64_t reply_magic = 0x3153'5447'4d4d'0001;
 
-/// Where the worker has its files. Its log, standard output and error, is a pipe whose other end the library
-/// reads; its end is the worker's.
+/// The worker's file descriptors. Its log, standard output and error, is a pipe whose read end is with the
+/// library; the write end is the worker's.
 inline constexpr int request_file = 0, log_file = 1, reply_file = 3;
 
 enum class Task : std::uint32_t { tetrahedralize, find_intersections };

@@ -10,9 +10,9 @@ namespace multimesh::tetgen::worker {
 /// Writes a reply that says what went wrong, and ends the process.
 [[noreturn]] void fail(Outcome outcome, std::int64_t detail = 0) noexcept;
 
-/// From now on, crashes and exceptions that nobody catches are reported in the reply too: the exit status
-/// does not reach a library whose program ignores SIGCHLD, and TetGen's exceptions must not be caught. It
-/// frees its memory before it throws, and once more when the stack is unwound; without a handler it is not
+/// Also reports crashes and uncaught exceptions in the reply from now on. The exit status does not reach
+/// a library whose program ignores SIGCHLD, and TetGen's exceptions must not be caught: TetGen frees its
+/// memory before it throws, and once more when the stack is unwound; without a handler it is not
 /// unwound.
 void report_failures();
 

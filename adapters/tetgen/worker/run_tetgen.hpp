@@ -5,7 +5,7 @@
 
 namespace multimesh::tetgen::worker {
 
-/// Tetrahedralizes the surface and writes the reply. Ends the process where TetGen fails.
+/// Tetrahedralizes the surface and writes the reply. Ends the process if TetGen fails.
 void tetrahedralize(Request& request);
 
 /// Looks for triangles that intersect others, and writes the first pairs as the reply.

@@ -16,7 +16,7 @@ namespace multimesh::io {
 ///   extension.
 PolygonSoup read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// The same from bytes in memory, not gzipped. `path` is what messages name, and its extension the format.
+/// The same from bytes in memory, not gzipped. Messages name `path`; its extension determines the format.
 PolygonSoup parse_mesh(std::string_view bytes, const std::filesystem::path& path,
                        const ReadOptions& options = {});
 

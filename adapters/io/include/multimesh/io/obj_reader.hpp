@@ -17,7 +17,7 @@ namespace multimesh::io {
 ///   without faces, and as check_soup does.
 PolygonSoup read_obj(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// The same from text in memory. `path` is what messages name, and where mtllib names are looked up.
+/// The same from text in memory. Messages name `path`; mtllib names are looked up relative to it.
 PolygonSoup parse_obj(std::string_view text, const std::filesystem::path& path,
                       const ReadOptions& options = {});
 

@@ -17,10 +17,10 @@ struct WriteOptions {
 };
 
 /// Writes a Wavefront OBJ file. Faces keep their order, polylines come last; mtllib comes first, and o, g,
-/// usemtl and s where they change from one face to the next. Numbers have the fewest digits from which the
-/// same double is read again: read_obj of the result gives equal positions, colours, texcoords, normals,
-/// corners and sections per face. The file appears complete or not at all (AtomicFile). \pre all indices of
-/// the soup in range; names without line ends. \throw InputError for a directory, a missing directory, a full
+/// usemtl and s where they change from one face to the next. Numbers have the fewest digits that reproduce
+/// the same double: read_obj of the result gives equal positions, colours, texcoords, normals, corners and
+/// sections per face. The file appears complete or not at all (AtomicFile). \pre all indices of the soup
+/// are in range; names have no line ends. \throw InputError for a directory, a missing directory, a full
 /// disk.
 void write_obj(const std::filesystem::path& path, const PolygonSoup& soup, const WriteOptions& options = {});
 

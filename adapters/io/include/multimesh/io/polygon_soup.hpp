@@ -10,12 +10,12 @@
 
 namespace multimesh::io {
 
-/// What a file held and the soup does not, or what looked wrong but was harmless. Numbers of occurrences.
+/// Contents of a file that the soup does not have, and things that looked wrong but were harmless; counts.
 struct SoupNotes {
   std::size_t points = 0;             ///< `p` statements, left out
   std::size_t lines = 0;              ///< `l` statements, left out unless ReadOptions::keep_lines
   std::size_t curves = 0;             ///< free-form curves and surfaces, and display attributes, left out
-  std::size_t unknown = 0;            ///< statements, elements or properties that we do not know, left out
+  std::size_t unknown = 0;            ///< unknown statements, elements or properties, left out
   std::size_t weights = 0;            ///< fourth coordinate of a position or alpha of a colour, left out
   std::size_t third_texcoords = 0;    ///< third texture coordinates other than 0, left out
   std::size_t missing_colors = 0;     ///< positions without a colour in a file with colours; white now
@@ -36,8 +36,8 @@ struct SoupNotes {
   friend bool operator==(const SoupNotes&, const SoupNotes&) = default;
 };
 
-/// Polygons as a file has them: shared positions, texture coordinates and normals, and corners that index
-/// the three independently. No connectivity, any topology. Every format is read into this.
+/// Polygons as a file stores them: shared positions, texture coordinates and normals, and corners that index
+/// the three independently. No connectivity, any topology. All formats are read into this.
 struct PolygonSoup {
   /// Indices into positions, texcoords, normals, counted from 0; -1 = the corner has none.
   struct Corner {
@@ -56,7 +56,7 @@ struct PolygonSoup {
     friend auto operator<=>(const Section&, const Section&) = default;
   };
 
-  /// A material that the file describes itself, not in a library.
+  /// A material that the file itself describes, not a library.
   struct Material {
     std::string name;
     std::string texture;  ///< image, as written in the file; empty: none

@@ -5,15 +5,15 @@ namespace multimesh::io {
 
 /// What a reader keeps of a file.
 struct ReadOptions {
-  /// Largest share of simplices that name a point twice (which are left out) with which a file of simplices
-  /// is read. 0 refuses the first one.
+  /// Largest accepted share of simplices that name a point twice (these are left out) in a file of simplices.
+  /// 0 refuses the first one.
   double max_collapsed_share = 1;
-  /// Keep faces with the vertices of an earlier one, in any order: where two solids meet, each may list the
-  /// face between them. Otherwise they are left out, if they have
-  /// the texture and material of that one.
+  /// Keep faces with the vertices of an earlier one, in any order: where two solids meet, each may
+  /// list the face between them. Otherwise they are left out, if they have the same texture and
+  /// material.
   bool keep_repeated = false;
-  /// Keep the `l` statements of OBJ files as polylines of the soup; a file with lines and no face is then
-  /// read, too. Otherwise they are counted and left out.
+  /// Keep the `l` statements of OBJ files as polylines of the soup; a file with lines but no face is then
+  /// also read. Otherwise they are counted and left out.
   bool keep_lines = false;
 };
 

@@ -12,15 +12,15 @@ namespace multimesh::io {
 /// Bits of SimplexSoup::Block::flags.
 enum SimplexFlag : std::uint8_t {
   feature_flag = 1,   ///< a vertex that is a corner, an edge that is a ridge (MEDIT: Corners, Ridges)
-  required_flag = 2,  ///< to be kept as it is (MEDIT: RequiredVertices, RequiredEdges, …)
+  required_flag = 2,  ///< must be kept as it is (MEDIT: RequiredVertices, RequiredEdges, …)
 };
 
-/// What a file held and the soup does not, or what looked wrong but was harmless. Numbers of occurrences.
+/// Contents of a file that the soup does not have, and things that looked wrong but were harmless; counts.
 struct SimplexNotes {
-  std::size_t high_order = 0;       ///< simplices of order two or more, of which the corners are kept
+  std::size_t high_order = 0;       ///< simplices of order two or more; their corners are kept
   std::size_t cut_polygons = 0;     ///< polygons of four or more corners, cut into triangles
   std::size_t repeated_vertex = 0;  ///< simplices that name a vertex twice, left out
-  std::size_t left_out = 0;         ///< sections, arrays and elements that we do not know, left out
+  std::size_t left_out = 0;         ///< unknown sections, arrays and elements, left out
   std::size_t doubled = 0;          ///< simplices listed again with the same tag, left out
   std::size_t merged_points = 0;    ///< vertices of an STL file that were joined with an equal one
   std::size_t unused_points = 0;    ///< points that no simplex names, kept
@@ -28,8 +28,8 @@ struct SimplexNotes {
   friend bool operator==(const SimplexNotes&, const SimplexNotes&) = default;
 };
 
-/// Tagged simplices of dimension 0 to 3 over shared points, as a file has them: no connectivity, any
-/// topology, any orientation. Every volume format is read into this, and written from it.
+/// Tagged simplices of dimension 0 to 3 over shared points, as a file stores them: no connectivity, any
+/// topology, any orientation. All volume formats are read into this, and written from it.
 struct SimplexSoup {
   /// The simplices of one dimension k.
   struct Block {
@@ -45,7 +45,7 @@ struct SimplexSoup {
     int dimension = 0;
     std::int32_t tag = 0;
     std::string name;
-    std::string object{};  ///< that it is a part of, where the file says so (OBJ, STL); not written
+    std::string object{};  ///< of which it is part, where the file says so (OBJ, STL); not written
     friend bool operator==(const Group&, const Group&) = default;
   };
 
@@ -70,13 +70,13 @@ struct SimplexSoup {
   std::vector<std::int32_t> point_tags;  ///< #points references (MEDIT); or empty = none has any
   std::array<Block, 4> simplices;        ///< by dimension: vertices, edges, triangles, tetrahedra
   std::vector<Group> groups;
-  std::vector<TagSet> tag_sets;  ///< of all other tags a simplex is in the group of that tag alone
+  std::vector<TagSet> tag_sets;  ///< with any other tag a simplex is only in the group of that tag
   std::vector<Periodic> periodic;
 
   SimplexNotes notes;
   std::vector<std::string> warnings;  ///< one sentence each, naming file and line or element
 
-  /// Of the simplices that are there, -1 if there is none.
+  /// The largest dimension of a simplex, -1 if there is none.
   int dimension() const {
     int k = 3;
     while (k >= 0 && simplices[static_cast<std::size_t>(k)].tags.empty()) --k;

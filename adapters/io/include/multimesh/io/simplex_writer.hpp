@@ -12,9 +12,9 @@ namespace multimesh::io {
 enum class MshVersion { v2_2, v4_1 };
 
 struct SimplexWriteOptions {
-  /// Of .msh files.
+  /// For .msh files.
   MshVersion msh_version = MshVersion::v4_1;
-  /// .msh, .vtu, .stl and .ply have a binary form, which this chooses; the other formats are always text.
+  /// Binary form for .msh, .vtu, .stl and .ply; the other formats are always text.
   bool binary = true;
 };
 
@@ -30,16 +30,16 @@ struct SimplexWriteOptions {
 /// | .ply | 2 | no | no | double |
 /// | .stl | 2 | no | no | float if binary, double as text; points are not shared |
 ///
-/// Text has the fewest digits from which the same double is read again. Vertices in MEDIT are written as
-/// Corners, or as RequiredVertices where they have that flag only, and pass their tags to their points.
-/// Points and simplices keep their order; in 4.1 by their numbers, for there they are grouped by entity, one
-/// for each tag. A simplex in several groups (SimplexSoup::TagSet) is so in .msh files: 2.2 lists it once for
-/// each of them, in 4.1 its entity has them all. Periodic links are written to .msh ($Periodic), with the
-/// entities that they name (MshEntities). Of all that is not written a warning tells. The file
-/// appears complete or not at all (AtomicFile). \return warnings, one sentence each, naming the file \throw
-/// InputError for an unknown extension, no simplex that the format can hold, coordinates or tags that it
-///   cannot hold, a directory, a missing directory, a full disk. UsageError for a soup whose arrays do not
-///   fit together.
+/// Text has the fewest digits that reproduce the same double. Vertices in MEDIT are written as Corners, or as
+/// RequiredVertices if they have only that flag, and pass their tags to their points. Points and simplices
+/// keep their order; in 4.1 their order by number, because they are grouped by entity there, one per tag. A
+/// simplex in several groups (SimplexSoup::TagSet) stays so in .msh files: 2.2 lists it once per group, in
+/// 4.1 its entity has them all. Periodic links are written to .msh ($Periodic), with the entities that they
+/// name (MshEntities). A warning reports everything that is not written. The file appears complete or not at
+/// all (AtomicFile). \return warnings, one sentence each, naming the file
+/// \throw InputError for an unknown extension, no simplex that the format can store, coordinates or tags
+/// that it cannot store, a directory, a missing directory, a full disk. UsageError for a soup whose arrays
+/// are inconsistent.
 std::vector<std::string> write_simplices(const std::filesystem::path& path, const SimplexSoup& soup,
                                          const SimplexWriteOptions& options = {});
 
