@@ -125,29 +125,24 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("compare", "How far a decimated surface, and its texture, are from the original.");
   auto a = std::make_shared<CompareArguments>();
   command->add_option("ORIGINAL", a->original, std::string("surface: ") + files::all_formats)->required();
-  command->add_option("OTHER", a->other, "surface, to be drawn with the original's texture image")
+  command->add_option("OTHER", a->other, "surface to compare, drawn with the original's texture image")
       ->required();
   command->add_option("--samples", a->options.samples, "points per surface")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 27))
       ->capture_default_str();
-  command
-      ->add_option("--threads", a->options.threads,
-                   "0: as many as there are cores; the numbers do not depend on it")
+  command->add_option("--threads", a->options.threads, "0: one per core; the results do not depend on it")
       ->check(CLI::Range(0U, 1024U))
       ->capture_default_str();
   add_weld_options(*command, a->weld);
-  add_report_options(*command, a->report, "with both surfaces in 3D and the errors measured");
+  add_report_options(*command, a->report, "with both surfaces in 3D and the measured errors");
   add_old_json_flag(*command, a->report);
   add_follow_paths(*command, a->follow_paths);
   command->footer(
       "Example:  multimesh compare cow.obj small.obj\n\n"
-      "distance: of the surfaces, both ways. texture deviation: from a point to the place of the original "
-      "whose\n"
-      "texel it shows. seam crack: between the places shown at the two sides of a seam. colours: what is "
-      "seen "
-      "of\n"
-      "both if a smooth pattern is painted on the original. The exit status says nothing of how far they "
-      "are.");
+      "distance: between the surfaces, both ways. texture deviation: from a point to the place of the\n"
+      "original whose texel it shows. seam crack: between the places shown at the two sides of a\n"
+      "seam. colours: the difference seen if a smooth pattern is painted on the original. The exit\n"
+      "status does not depend on how far apart they are.");
   command->callback([a, command, &exit_code] {
     RunReport report(*command, a->report, {a->original, a->other});
     run(*a, report);

@@ -23,7 +23,7 @@ CLI::Validator weight() {
 }
 
 void add_targets(CLI::App& command, DecimateArguments& a) {
-  auto* group = command.add_option_group("Targets", "one at least; what is met first ends the run");
+  auto* group = command.add_option_group("Targets", "at least one; the first that is met ends the run");
   auto* ratio =
       group->add_option("--ratio", a.ratio, "share of the faces to keep, in (0, 1]")
           ->check(number([](double r) { return r > 0 && r <= 1; }, "in (0, 1], for instance 0.1", "R"));
@@ -31,20 +31,19 @@ void add_targets(CLI::App& command, DecimateArguments& a) {
       ->check(number([](double n) { return n >= 1 && n == std::floor(n); }, "a whole number above 0", "N"))
       ->excludes(ratio);
   group
-      ->add_option(
-          "--max-error", a.max_error,
-          "no point of the input gets farther than this from the surface, and no vertex of the surface "
-          "from the input; relative to the diagonal of the bounding box (0.001 = 0.1%)")
+      ->add_option("--max-error", a.max_error,
+                   "no point of the input is farther than this from the result, and no vertex of the result "
+                   "from the input; relative to the diagonal of the bounding box (0.001 = 0.1%)")
       ->check(length());
   group
       ->add_option("--max-texture-error", a.max_texture_error,
-                   "no vertex of the input is painted farther than this from its place; relative as above")
+                   "no vertex of the input is drawn farther than this from its place; relative as above")
       ->check(length());
   group
-      ->add_option(
-          "--levels", a.levels,
-          "levels of detail on the way: shares or numbers of faces, descending, separated by commas. "
-          "Level i is written to OUT.lod<i>.obj, the last one or the target to OUT.obj")
+      ->add_option("--levels", a.levels,
+                   "levels of detail written during the run: shares or numbers of faces, descending, "
+                   "separated by commas. "
+                   "Level i goes to OUT.lod<i>.obj, the last one or the target to OUT.obj")
       ->delimiter(',')
       ->check(
           number([](double r) { return r > 0 && std::isfinite(r); }, "above 0, for instance 0.5,0.25", "L"));
@@ -64,14 +63,14 @@ void add_limits(CLI::App& command, DecimateArguments& a) {
       ->check(number([](double d) { return d > 0 && d <= 180; }, "in (0, 180], for instance 40", "DEGREES"))
       ->group("Limits");
   command
-      .add_option(
-          "--normal-deviation", a.normal_deviation,
-          "no normal gets farther than this from those of the input's faces that it stands for, in degrees")
+      .add_option("--normal-deviation", a.normal_deviation,
+                  "no normal deviates by more than this from those of the input's faces merged into its "
+                  "face, in degrees")
       ->check(number([](double d) { return d > 0 && d <= 180; }, "in (0, 180], for instance 15", "DEGREES"))
       ->group("Limits");
   command
       .add_option("--aspect-ratio", a.aspect_ratio,
-                  "no triangle gets a longest edge more than this times its shortest height")
+                  "no triangle's longest edge becomes more than this times its shortest height")
       ->check(number([](double r) { return r >= 1.155 && std::isfinite(r); },
                      "1.155 or more, for instance 20", "R"))
       ->group("Limits");
@@ -89,12 +88,12 @@ void add_weights(CLI::App& command, DecimateArguments& a) {
       ->capture_default_str()
       ->group("Cost");
   add("--uv-weight", a.weights.uv_weight,
-      "how much misplaced texture counts beside misplaced surface: 0 shape only, 1 texture first");
+      "weight of misplaced texture relative to misplaced surface: 0 shape only, 1 texture first");
   add("--curve-weight", a.weights.curve_weight, "weight of boundaries, borders and sharp edges");
-  add("--seam-weight", a.weights.seam_weight, "weight of where seams run on the surface");
-  add("--uv-curve-weight", a.weights.uv_curve_weight, "weight of where seams run in the texture");
+  add("--seam-weight", a.weights.seam_weight, "weight of the position of seams on the surface");
+  add("--uv-curve-weight", a.weights.uv_curve_weight, "weight of the position of seams in the texture");
   add("--memory-weight", a.weights.memory_weight,
-      "weight of the distance from the input's planes beside that from the surface as it is by then");
+      "weight of the distance from the input's planes relative to that from the current surface");
 }
 
 }  // namespace
@@ -106,9 +105,8 @@ void add_options(CLI::App& command, DecimateArguments& a) {
   add_weights(command, a);
   add_follow_paths(command, a.follow_paths);
   add_weld_options(command, a.weld);
-  add_report_options(command, a.report, "with both surfaces in 3D, their atlases and the errors measured");
-  command
-      .add_flag("--measure", a.measure, "measure the distance and texture deviation reached, for --report")
+  add_report_options(command, a.report, "with both surfaces in 3D, their atlases and the measured errors");
+  command.add_flag("--measure", a.measure, "measure the final distance and texture deviation, for --report")
       ->group("Reports");
   command.add_flag("--quiet", a.quiet, "print errors only");
 }

@@ -186,13 +186,11 @@ void add_decimate_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Example:  multimesh decimate cow.obj -o small.obj --ratio 0.1 --report report.json\n"
       "          multimesh decimate cow.obj -o small.obj --levels 0.5,0.25,0.1 --report-html cow.html\n\n"
-      "Kept: the topology of the surface and of every chart, the graph of the seams, materials and groups of "
-      "each\n"
-      "face. No triangle of the texture flips or loses its area. Polygons become triangles; normals are "
-      "computed\n"
-      "anew where there were some. If topology does not allow the target, the file is written as small as it "
-      "allows,\n"
-      "a warning says what stands in the way, and the report counts it.");
+      "Kept: the topology of the surface and of every chart, the graph of the seams, materials and\n"
+      "groups of each face. No triangle of the texture flips or loses its area. Polygons become\n"
+      "triangles; normals are recomputed if the input has any. If topology does not allow the target,\n"
+      "the file is written with as few faces as it allows; a warning says what prevents fewer, and\n"
+      "the report counts the reasons.");
   command->callback([a, command, &exit_code] {
     check_paths(*a);
     RunReport report(*command, a->report, {a->input}, outputs(*a));

@@ -9,12 +9,12 @@ void add_weld_options(CLI::App& command, files::DomainReadOptions& options) {
   auto* weld = command.add_option("--weld", options.weld,
                                   "join points at most this far apart; 0: only those at one place");
   weld->check(number([](double x) { return x >= 0; }, "0 or more", "DISTANCE"));
-  command.add_flag("--no-weld", options.no_weld, "do not tell of points at one place")->excludes(weld);
+  command.add_flag("--no-weld", options.no_weld, "do not warn of points at one place")->excludes(weld);
 }
 
 CLI::Option* add_periodic_option(CLI::App& command, bool& no_periodic) {
   return command.add_flag("--no-periodic", no_periodic,
-                          "take a periodic mesh as any other; its sides need not match afterwards");
+                          "treat a periodic mesh as any other; its sides need not match afterwards");
 }
 
 void add_format_options(CLI::App& command, SimplexFormat& format, const std::string& group) {

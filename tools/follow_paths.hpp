@@ -7,7 +7,7 @@ namespace multimesh::tools {
 
 inline void add_follow_paths(CLI::App& command, bool& on) {
   command.add_flag("--follow-paths", on,
-                   "use material libraries and textures outside of the input's directory, too");
+                   "also use material libraries and textures outside the input's directory");
 }
 
 }  // namespace multimesh::tools

@@ -181,8 +181,7 @@ void run(ImproveArguments a, RunReport& report) {
 }  // namespace
 
 void add_improve_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
-      "improve", "Makes the tetrahedra of a mesh better shaped; surfaces and curves stay.");
+  auto* command = app.add_subcommand("improve", "Improve the shape of tetrahedra; surfaces and curves stay.");
   auto a = std::make_shared<ImproveArguments>();
   command->add_option("IN", a->input, std::string("tetrahedra: ") + files::simplex_formats)->required();
   command->add_option("-o,--output", a->output, files::written_simplex_formats)->required();
@@ -193,33 +192,36 @@ void add_improve_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(3.0, 1e9))
       ->capture_default_str()
       ->group("Targets");
-  command->add_option("--max-passes", a->options.max_passes, "over the tetrahedra above the target")
+  command
+      ->add_option("--max-passes", a->options.max_passes,
+                   "limit of passes over the tetrahedra above the target")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command
       ->add_option("--edge-length", a->options.edge_length,
-                   "edges above 4/3 of this are split, below 4/5 collapsed where the surface allows it")
+                   "split edges above 4/3 of this, collapse edges below 4/5 of it where the surface allows")
       ->check(positive_number())
       ->group("Targets");
-  command->add_option("--min-edge-length", a->options.min_edge_length, "no edge is split into shorter ones")
+  command
+      ->add_option("--min-edge-length", a->options.min_edge_length,
+                   "split no edge into edges shorter than this")
       ->check(positive_number());
   command
       ->add_option("--surface-splits", a->splits,
-                   "edges of the surface may be split: not at all, exactly, or up to rounding")
+                   "split edges of the surface: not at all, exactly, or up to rounding")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(split_names), std::end(split_names))))
       ->capture_default_str();
   command
       ->add_option("--feature-angle", a->feature_angle,
-                   "edges at which the surface turns by at least this become curves; degrees in (0, 180)")
+                   "edges at which the surface bends by at least this become curves; degrees in (0, 180)")
       ->check(CLI::Range(1e-6, 180.0));
   command->add_option("--lock-region", a->options.locked_regions,
-                      "regions that are not touched, by their tags");
+                      "regions to leave unchanged, by their tags");
   command->add_option("--lock-patch", a->locked_patches,
-                      "patches whose triangles stay the same ones, by tags or names");
+                      "patches whose triangles stay unchanged, by tags or names");
   command->add_flag("--lock-surface", a->options.lock_surface,
-                    "all triangles of the surface and between regions stay the same ones");
-  command
-      ->add_option("--time-limit", a->options.time_limit, "seconds; the mesh as improved so far is written")
+                    "all triangles of the surface and between regions stay unchanged");
+  command->add_option("--time-limit", a->options.time_limit, "seconds; then the best mesh so far is written")
       ->check(positive_number());
   command
       ->add_option(
@@ -227,7 +229,7 @@ void add_improve_command(CLI::App& app, int& exit_code) {
           "no edge is split for quality once the mesh has this many times its tetrahedra (at least 500)")
       ->check(CLI::Range(1.0, 1e9))
       ->capture_default_str();
-  command->add_flag("--progress", a->progress, "report on stderr, also if it is no terminal");
+  command->add_flag("--progress", a->progress, "show progress on stderr, even if it is not a terminal");
   add_weld_options(*command, a->taken);
   add_periodic_option(*command, a->taken.no_periodic);
   add_format_options(*command, a->format);
@@ -235,13 +237,12 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   add_old_json_file(*command, a->report);
   command->footer(
       "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --report report.json\n\n"
-      "The boundary, faces between regions and listed triangles and edges stay what they are. If the target\n"
-      "cannot be reached, the result is written all the same, warnings say why, and the exit status is 0.\n"
-      "Elements keep their tags, groups and MEDIT's flags; what the input does not list is not added, but "
-      "for\n"
-      "curves with --feature-angle. The result is compared with the input before it is written: if it is "
-      "not\n"
-      "the same mesh when its parts are joined, it is kept aside and the exit status is 1.");
+      "The boundary, faces between regions and listed triangles and edges stay what they are. If the\n"
+      "target cannot be reached, the result is still written, warnings say why, and the exit status\n"
+      "is 0. Elements keep their tags, groups and MEDIT's flags. What the input does not list is not\n"
+      "added, except curves with --feature-angle. Before it is written, the result is compared with\n"
+      "the input: if they differ after their parts are joined, the result is kept under another name\n"
+      "and the exit status is 1.");
   command->callback([a, command, &exit_code] {
     RunReport report(*command, a->report, {a->input}, {a->output});
     run(*a, report);

@@ -195,23 +195,19 @@ void run(const InfoArguments& a, RunReport& report) {
 }  // namespace
 
 void add_info_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("info", "What is in a file, mesh by mesh.");
+  auto* command = app.add_subcommand("info", "Describe a file, mesh by mesh.");
   auto arguments = std::make_shared<InfoArguments>();
   command->add_option("FILE", arguments->input, files::all_formats)->required();
   add_weld_options(*command, arguments->weld);
   add_report_options(*command, arguments->report, "with the mesh in 3D and the numbers");
   add_old_json_flag(*command, arguments->report);
   command->footer(
-      "A textured file is two meshes: the surface, by positions, and the texture, by texture coordinates. "
-      "They\n"
-      "have the same triangles and different vertices; the seams are where the texture is cut open. A file "
-      "of\n"
-      "tetrahedra is three: the tetrahedra; the surface, which is their boundary, the interfaces between\n"
-      "regions and the triangles that are listed; and curves, where sheets of the surface meet and edges "
-      "that\n"
-      "are listed. Input that is not manifold is cut, and the numbers of the meshes are those of the cut "
-      "ones; \n"
-      "those of the surface as given stand before them.");
+      "A textured file is two meshes: the surface, by positions, and the texture, by texture\n"
+      "coordinates. They have the same triangles and different vertices; the texture is cut open at\n"
+      "the seams. A file of tetrahedra is three: the tetrahedra; the surface (their boundary, the\n"
+      "interfaces between regions, and the listed triangles); and the curves (where sheets of the\n"
+      "surface meet, and the listed edges). Input that is not manifold is cut, and the numbers of the\n"
+      "meshes are those after the cut; the numbers of the surface as given come before them.");
   command->callback([arguments, command, &exit_code] {
     RunReport report(*command, arguments->report, {arguments->input});
     run(*arguments, report);

@@ -29,14 +29,13 @@ int main(int argc, char** argv) {
   give_memory_back();
   io::install_signal_cleanup();
   CLI::App app{
-      "Meshes that stay in step: textured surfaces with their seams, tetrahedra with surfaces and curves "
-      "inside."};
+      "Meshes that stay consistent: textured surfaces with their seams, tetrahedra with surfaces and "
+      "curves inside."};
   app.name("multimesh");
   app.formatter(std::make_shared<tools::HelpFormat>());
   app.set_version_flag("--version", std::string("multimesh ") + version);
   app.require_subcommand(1);
-  app.footer(
-      "multimesh COMMAND --help says more.\nExit status: 0 done, 1 refused or bad input, 2 wrong usage.");
+  app.footer("See multimesh COMMAND --help. Exit status: 0 done, 1 refused or bad input, 2 wrong usage.");
   int exit_code = tools::done;
   tools::add_decimate_command(app, exit_code);
   tools::add_compare_command(app, exit_code);

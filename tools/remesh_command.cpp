@@ -35,11 +35,11 @@ void add_options(CLI::App& command, RemeshArguments& a) {
   command.get_option("--output")
       ->description(std::string(files::written_surface_formats) +
                     "; tetrahedra: " + files::written_simplex_formats);
-  auto* target = command.add_option_group("Targets", "one; of the edges that are wanted");
-  target->add_option("--length", a.length, "their length, in the units of the file")->check(length);
+  auto* target = command.add_option_group("Targets", "give one: the edge length");
+  target->add_option("--length", a.length, "edge length, in the units of the file")->check(length);
   target
       ->add_option("--relative-length", a.relative_length,
-                   "the same, relative to the diagonal of the bounding box")
+                   "edge length, relative to the diagonal of the bounding box")
       ->check(length);
   target->require_option(1);
   command.add_option("--max-faces", a.options.max_faces, "refuse a length that makes more faces than this")
@@ -58,7 +58,7 @@ void add_options(CLI::App& command, RemeshArguments& a) {
                    "keep borders between materials as curves (default: yes)");
   add_follow_paths(command, a.follow_paths);
   add_weld_options(command, a.weld);
-  add_report_options(command, a.report, "with both surfaces in 3D and the errors measured");
+  add_report_options(command, a.report, "with both surfaces in 3D and the measured errors");
   command.add_flag("--quiet", a.quiet, "print errors only");
 #ifdef MULTIMESH_WITH_IMPROVE
   add_tetrahedra_options(command, a);
@@ -118,7 +118,7 @@ void warn_of_lengths(const RemeshArguments& a, const RemeshResult& r, std::vecto
   text << "the length was not reached everywhere: " << percent_in_range(r)
        << " % of the edges are within 4/5 and 4/3 of " << a.options.length << ", the shortest is "
        << r.shortest << ", the longest " << r.longest
-       << "; lines and vertices that stay are nearer to each other, or more --iterations are needed";
+       << "; curves and fixed vertices are closer together than that, or more --iterations are needed";
   warnings.push_back(text.str());
 }
 
@@ -176,21 +176,18 @@ void run(RemeshArguments& a, RunReport& report) {
 
 void add_remesh_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand(
-      "remesh", "Give all edges about the same length; texture seams and curves stay lines.");
+      "remesh", "Give all edges about the same length; texture seams and curves are kept.");
   auto a = std::make_shared<RemeshArguments>();
   add_options(*command, *a);
   command->footer(
       "Example:  multimesh remesh cow.obj -o even.obj --relative-length 0.01\n"
       "          multimesh remesh part.stl -o even.obj --length 2.5 --feature-angle 40\n\n"
-      "Kept: the topology of the surface and of every chart, the graph of the seams and of the curves, "
-      "materials\n"
-      "and groups of each face. Seams are not frozen: they get edges of the same length. Vertices stay on "
-      "the\n"
-      "input, with its texture coordinates there. No triangle of the texture flips or loses its area.\n"
-      "Exit status 0 with a warning, also in the report, if less than 90 % of the edges come into range, or "
-      "one "
-      "is\n"
-      "longer than twice the length or shorter than a quarter of it.");
+      "Kept: the topology of the surface and of every chart, the graph of the seams and of the\n"
+      "curves, materials and groups of each face. Seams are not frozen: their edges get the same\n"
+      "length. Vertices stay on the input, with its texture coordinates there. No triangle of the\n"
+      "texture flips or loses its area. A warning, also in the report, says if less than 90 % of the\n"
+      "edges are in range, or one is longer than twice the length or shorter than a quarter of it;\n"
+      "the exit status is then still 0.");
   command->callback([a, command, &exit_code] {
     a->weld_given = command->count("--weld") > 0;
     a->uv_weld_given = command->count("--uv-weld") > 0;

@@ -134,15 +134,15 @@ void run(RemeshArguments& a, files::DomainFile& file, RunReport& report) {
 }  // namespace
 
 void add_tetrahedra_options(CLI::App& command, RemeshArguments& a) {
-  command.add_option("--target-amips", a.target_amips, "energy towards which tetrahedra are improved")
+  command.add_option("--target-amips", a.target_amips, "AMIPS energy towards which tetrahedra are improved")
       ->check(CLI::Range(3.0, 1e9))
       ->capture_default_str()
       ->group(group);
   command
       .add_option("--lock-patch", a.locked_patches,
-                  "patches whose triangles stay the same ones, by tags or names")
+                  "patches whose triangles stay unchanged, by tags or names")
       ->group(group);
-  command.add_option("--lock-region", a.locked_regions, "regions that are not touched, by their tags")
+  command.add_option("--lock-region", a.locked_regions, "regions to leave unchanged, by their tags")
       ->group(group);
   add_periodic_option(command, a.no_periodic)->group(group);
   add_format_options(command, a.format, group);

@@ -14,10 +14,10 @@
 namespace multimesh::tools {
 
 void add_report_options(CLI::App& command, ReportOptions& options, const std::string& page) {
-  command.add_option("--report", options.json, "write what was done, as JSON; -: to standard output")
+  command.add_option("--report", options.json, "write a JSON report; -: to standard output")
       ->type_name("FILE")
       ->group("Reports");
-  command.add_option("--report-html", options.html, "write a page " + page)
+  command.add_option("--report-html", options.html, "write an HTML page " + page)
       ->type_name("FILE")
       ->group("Reports");
 }

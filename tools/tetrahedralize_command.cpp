@@ -156,35 +156,37 @@ void add_seed_options(CLI::App& command, TetrahedralizeArguments& a) {
 }  // namespace
 
 void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("tetrahedralize", "Fills what a surface encloses with tetrahedra, by TetGen.");
+  auto* command = app.add_subcommand(
+      "tetrahedralize", "Fill the volume that a surface encloses with tetrahedra, using TetGen.");
   auto a = std::make_shared<TetrahedralizeArguments>();
   command->add_option("IN", a->input, std::string("surface: ") + files::all_formats)->required();
   command->add_option("-o,--output", a->output, files::written_simplex_formats)->required();
   command
       ->add_option("--feature-angle", a->feature_angle,
-                   "edges at which the surface turns by at least this become curves; degrees in (0, 180)")
+                   "edges at which the surface bends by at least this become curves; degrees in (0, 180)")
       ->check(CLI::Range(1e-6, 180.0));
-  auto* length = command
-                     ->add_option("--edge-length", a->length,
-                                  "longest edge, on the surface, too, unless that is locked; a length")
-                     ->check(positive_number())
-                     ->group("Targets");
+  auto* length =
+      command
+          ->add_option("--edge-length", a->length, "longest edge; also on the surface, unless that is locked")
+          ->check(positive_number())
+          ->group("Targets");
   command
       ->add_option("--relative-edge-length", a->relative_length,
                    "the same, relative to the bounding box's diagonal")
       ->check(positive_number())
       ->excludes(length)
       ->group("Targets");
-  command->add_option("--max-volume", a->max_volume, "bound of each tetrahedron's volume")
+  command->add_option("--max-volume", a->max_volume, "largest volume of a tetrahedron")
       ->check(positive_number())
       ->group("Targets");
-  command->add_option("--radius-edge-ratio", a->ratio, "quality: circumradius by shortest edge, 2 is usual")
+  command
+      ->add_option("--radius-edge-ratio", a->ratio,
+                   "quality: largest ratio of circumradius to shortest edge; 2 is usual")
       ->check(CLI::Range(1.1, 1e6))
       ->group("Targets");
   command
       ->add_option("--min-dihedral", a->dihedral,
-                   "quality: dihedral angle that is aimed at; degrees, at most 25")
+                   "quality: target for the smallest dihedral angle; degrees, at most 25")
       ->check(CLI::Range(0.0, 25.0))
       ->group("Targets");
   command
@@ -192,14 +194,14 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(keep_names), std::end(keep_names))))
       ->capture_default_str();
   add_seed_options(*command, *a);
-  command->add_option("--weld", a->weld, "points up to this far apart are one; a length")
+  command->add_option("--weld", a->weld, "join points at most this far apart; a length")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   auto* split = command->add_flag("--split-surface", a->split_surface,
-                                  "TetGen may put new points on the surface, for quality");
+                                  "let TetGen put new points on the surface, for quality");
   command
       ->add_flag("--lock-surface", a->lock_surface,
-                 "the surface keeps its triangles, also where their edges are longer than --edge-length")
+                 "keep the surface's triangles, even if their edges are longer than --edge-length")
       ->excludes(split);
   command->add_option("--time-limit", a->minutes, "minutes")->check(positive_number())->capture_default_str();
   add_periodic_option(*command, a->taken.no_periodic);
@@ -207,10 +209,9 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
   add_report_options(*command, a->report, "with the surface in 3D, before and after, and the numbers");
   add_old_json_flag(*command, a->report);
   command->footer(
-      "The surface, with its tags (1 if it has none), and sharp curves are written as triangles and edges of "
-      "the\n"
-      "same file. TetGen is under the AGPL-3 and runs as a program of its own. A surface that is open, not\n"
-      "manifold or intersects itself is refused.");
+      "The surface, with its tags (1 if it has none), and sharp curves are written as triangles and\n"
+      "edges of the same file. TetGen is under the AGPL-3 and runs as a separate program. A surface\n"
+      "that is open, not manifold or intersects itself is refused.");
   command->callback([a, command, &exit_code] {
     RunReport report(*command, a->report, {a->input}, {a->output});
     run(*a, report);

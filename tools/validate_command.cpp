@@ -146,16 +146,15 @@ bool run(const ValidateArguments& a, RunReport& report) {
 
 void add_validate_command(CLI::App& app, int& exit_code) {
   auto* command =
-      app.add_subcommand("validate", "Whether a file's meshes are manifold, oriented and consistent.");
+      app.add_subcommand("validate", "Check whether a file's meshes are manifold, oriented and consistent.");
   auto a = std::make_shared<ValidateArguments>();
   command->add_option("FILE", a->input, files::all_formats)->required();
   add_weld_options(*command, a->weld);
   add_report_options(*command, a->report, "with the mesh in 3D and what was found");
   add_old_json_flag(*command, a->report);
   command->footer(
-      "Exit status 0: valid; 1: not, or it cannot be read. What is said to need copies or to be turned round "
-      "is\n"
-      "what the other commands do with it. Intersections of triangles are not looked for.");
+      "Exit status 0: valid; 1: not valid, or the file cannot be read. Copies and reversals that are\n"
+      "reported as needed are made by the other commands. Intersections of triangles are not checked.");
   command->callback([a, command, &exit_code] {
     RunReport report(*command, a->report, {a->input});
     const bool is_valid = run(*a, report);

@@ -11,16 +11,18 @@ void add_weld_options(CLI::App& command, io::SurfaceWeldOptions& o) {
   const auto distance = [](const char* type) {
     return number([](double d) { return d >= 0 && std::isfinite(d); }, "0 or more, for instance 1e-6", type);
   };
-  auto* weld = command.add_option("--weld", o.tolerance,
-                                  "open edges: vertices as near as this are one, in the units of the file "
-                                  "(default 0: those at equal coordinates)");
+  auto* weld =
+      command.add_option("--weld", o.tolerance,
+                         "at open edges, join vertices at most this far apart, in the units of the file "
+                         "(default 0: those at equal coordinates)");
   weld->check(distance("DISTANCE"))->group("Vertices at one place");
-  command.add_flag("!--no-weld", o.positions, "keep vertices at one place apart, as they are in the file")
+  command.add_flag("!--no-weld", o.positions, "keep vertices at one place separate, as in the file")
       ->excludes(weld)
       ->group("Vertices at one place");
   command
-      .add_option("--uv-weld", o.texcoord_tolerance,
-                  "texture coordinates at one vertex as near as this are one; relative to their size above 1")
+      .add_option(
+          "--uv-weld", o.texcoord_tolerance,
+          "join texture coordinates at one vertex at most this far apart; relative to their size above 1")
       ->check(distance("DISTANCE"))
       ->capture_default_str()
       ->group("Vertices at one place");
