@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What columns are told of an operation, and which of two values wins where a collapse makes one simplex of
+// Changes that columns are notified of, and which of two values wins where a collapse makes one simplex of
 // two.
 #include <algorithm>
 
@@ -27,7 +27,7 @@ std::array<Index, 4> corners_of(const Mesh& mesh, Dart d) {
 
 }  // namespace
 
-// Facets that will be others, with what their corners are called.
+// Records facets that will change, with the names of their corners.
 void Propagation::remember_facets(const Mesh& mesh, const DartBuffer& facets) {
   old_facets_.clear();
   for (const Dart t : facets) old_facets_.push_back({t, mesh.facet(t), corners_of(mesh, t)});
@@ -70,7 +70,7 @@ void Propagation::note_halves(std::size_t i) {
   }
 }
 
-// Before the collapse: the edges that will be one, of a surface, and the facets with corners to be moved.
+// Before the collapse: the edges of a surface that will become one, and the facets whose corners move.
 void Propagation::note_merging(std::size_t i) {
   const Mesh& mesh = tree_.mesh(copies_[i].node);
   remember_facets(mesh, region_.renamed);
@@ -126,7 +126,7 @@ bool Propagation::is_in_mesh_below(NodeId n, Dart d, int k) const {
   });
 }
 
-// Asked before anything changes: then all maps are valid.
+// Called before anything changes: then all maps are valid.
 void Propagation::note_winners(std::size_t i, double t) {
   Merging& merging = mergings_[i];
   merging.t = t;
@@ -155,7 +155,7 @@ void Propagation::note_winners(std::size_t i, double t) {
   }
 }
 
-// Other copies of this mesh are still to be collapsed: they know vertices by the names before.
+// Other copies of this mesh have not been collapsed yet: they use the previous names of vertices.
 void Propagation::rename_winners(std::size_t i) {
   const CollapseRecord& record = collapses_[i];
   for (std::size_t j = copies_.first(copies_[i].node); j < i; ++j)

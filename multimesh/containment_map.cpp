@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the maps of a tree are asked: images, upward, and preimages, downward.
+// Queries on the maps of a tree: images, upward, and preimages, downward.
 #include <algorithm>
 #include <array>
 #include <string>

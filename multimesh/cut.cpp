@@ -31,7 +31,7 @@ class Cutter {
       : in_(in), options_(options), n_(in.corners_per_facet()), alone_(in.size(), false) {}
 
   Cut run() {
-    // Each round takes at least one more facet out of its neighbourhood.
+    // Each round disconnects at least one more facet from its neighbours.
     do {
       partner_.assign(in_.corners.size(), no_index);
       reversed_.assign(in_.size(), false);
@@ -169,7 +169,7 @@ class Cutter {
   }
 
   // After joining, sides with the same vertices at their ends are one edge. That is right for two that run
-  // against each other; facets with all vertices in common, and any other sides, must come apart.
+  // against each other; facets with all vertices in common, and any other sides, must be separated.
   bool set_apart() {
     if (in_.dimension == 2 && all_joined_) return set_pillows_apart();
     if (set_repeated_facets_apart()) return true;
@@ -182,7 +182,7 @@ class Cutter {
     return true;
   }
 
-  // Where all sides are joined two by two, this is all that can be wrong: a triangle and its reverse.
+  // If all sides are joined in pairs, this is all that can be wrong: a triangle and its reverse.
   bool set_pillows_apart() {
     bool changed = false;
     for (Index f = 0; f < in_.size(); ++f) {
@@ -257,7 +257,7 @@ class Cutter {
   const FacetList& in_;
   const CutOptions& options_;
   std::size_t n_;
-  std::vector<bool> alone_;     // facets that are joined to nothing
+  std::vector<bool> alone_;     // facets that are not joined to anything
   std::vector<Index> partner_;  // of an edge's corner, the other one at its vertex; of a triangle's side, the
                                 // other one at its edge; no_index where nothing is joined
   std::vector<bool> reversed_;  // triangles
@@ -267,7 +267,7 @@ class Cutter {
   std::vector<Index> source_;   // new vertices
 };
 
-/// Points have nothing in common, also where two of them lie in one vertex.
+/// Points share nothing, even if two of them are at one vertex.
 Cut cut_points(const FacetList& points) {
   Cut out{
       {0, static_cast<Index>(points.size()), {}}, points.corners, std::vector<bool>(points.size(), false)};

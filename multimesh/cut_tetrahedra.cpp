@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cutting in dimension 3, in rounds as in dimension 2 (cut.cpp): join across faces, give each class of joined
-// corners a vertex, take tetrahedra out where simplices with the same vertices are not the same one, again.
+// corners a vertex, disconnect tetrahedra where different simplices have the same vertices, and repeat.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -38,7 +38,7 @@ class TetCutter {
     return side_corners(side, [&](Index c) { return in_.corners[c]; });
   }
 
-  // Sides with the same three vertices, if they are just two, are joined.
+  // Joins sides with the same three vertices if there are exactly two.
   void join_faces() {
     partner_.assign(4 * in_.size(), no_index);
     std::vector<Index> here;
@@ -159,9 +159,9 @@ class TetCutter {
     return changed;
   }
 
-  // Edges around which the tetrahedra make several fans, which no face joins. One fan gets a copy of one end
-  // of the edge; which one is decided by how few faces must be parted for it. Edges with an end that another
-  // one has been treated at wait for the next round.
+  // Edges around which the tetrahedra make several fans that no face joins. One fan gets a copy of one end of
+  // the edge: the fan for which the fewest faces must be parted. Edges with an end at which another edge has
+  // been treated wait for the next round.
   bool set_fans_apart(Index edges) {
     const Fans fans(*this, edges);
     std::vector<bool> treated(source_.size(), false);
@@ -232,8 +232,9 @@ class TetCutter {
     return static_cast<Index>(std::find(first, first + 4, v) - number_.begin());
   }
 
-  // Vertices whose link is a surface other than a sphere or a disk; by then links are connected and without
-  // pinches. By Euler characteristic: vertices are edges at it, triangles its tetrahedra.
+  // Vertices whose link is a surface other than a sphere or a disk; links are connected and without pinches
+  // by then. By Euler characteristic: the link's vertices are edges at the vertex, its triangles are
+  // tetrahedra.
   bool set_links_apart(Index edges) {
     std::vector<long> euler(source_.size(), 0);
     std::vector<bool> rim(source_.size(), false), seen(edges, false);
@@ -299,7 +300,7 @@ class TetCutter {
   }
 
   const FacetList& in_;
-  std::vector<bool> alone_;     // tetrahedra that are joined to nothing
+  std::vector<bool> alone_;     // tetrahedra that are not joined to anything
   std::vector<bool> parted_;    // sides that are not joined, though they could be
   std::vector<Index> partner_;  // of side 4 t + f, opposite corner f: the side it is joined to, or no_index
   std::vector<bool> reversed_;

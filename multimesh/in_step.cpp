@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits of a tree's meshes by others: noticed before an operation touches anything, and followed if asked.
+// Edits of a tree's meshes by other code: detected before an operation changes anything, and followed on
+// request.
 #include <array>
 #include <string>
 
@@ -52,8 +53,8 @@ void MultiMesh::require_in_step() const {
     if (const auto v = mesh(n).first_out_of_step()) out_of_step(n, around(*v));
 }
 
-// Elements are followed by their names. Whether the maps still are maps, only they can tell: what has gone,
-// or has come beside, is not seen from what is left.
+// Elements are followed by their names. Whether the maps are still maps can only be decided by checking them:
+// removed or added elements cannot be seen from the remaining ones.
 std::vector<Compaction> MultiMesh::resync() {
   require_closed("resync");
   std::vector<Compaction> moved(nodes_.size());

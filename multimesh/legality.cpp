@@ -42,7 +42,7 @@ CollapseVerdict Legality::collapse(const MultiMesh& tree, const Copies& copies,
   return verdict;
 }
 
-// L, and what is cheap to ask at the same time: labels and strata.
+// L, and what is cheap to check at the same time: locks and strata.
 bool Legality::link_conditions(const MultiMesh& tree, const Copies& copies, CollapseVerdict& verdict) {
   bool locked_a = false, locked_b = false;
   for (const Copy& c : copies.all()) {
@@ -94,8 +94,8 @@ bool Legality::unmatched(const MultiMesh& tree, std::span<const Copy> over, Node
 }
 
 // U for the simplices x of the link, vertices and (in dimension 3) edges: whether both a-x and b-x have
-// preimages that no preimage of a-b-x has. Where a-b-x is a facet, of which the mesh below has at most one,
-// and has it, its link condition says it already.
+// preimages that no preimage of a-b-x has. If a-b-x is a facet, of which the mesh below has at most one, and
+// the mesh below has it, its link condition already covers this.
 bool Legality::link_gluing(const MultiMesh& tree, const Copy& e, NodeId below_node) {
   const Mesh& above = tree.mesh(e.node);
   const Mesh& below = tree.mesh(below_node);
@@ -129,7 +129,7 @@ bool Legality::link_gluing(const MultiMesh& tree, const Copy& e, NodeId below_no
 
 namespace {
 
-/// The copies in `below` that lie over copy i; they stand side by side.
+/// The copies in `below` that lie over copy i; they are contiguous.
 std::span<const Copy> copies_over(const Copies& copies, NodeId below, std::uint32_t i) {
   const auto lies_over = [&](const Copy& c) {
     std::uint32_t above = c.above;
@@ -150,7 +150,7 @@ bool Legality::no_gluing(const MultiMesh& tree, const Copies& copies, std::uint3
   const Dart at_b = tree.mesh(e.node).reorder(e.dart, exchange_ends);
   const bool free_a = unmatched(tree, over, e.node, below_node, e.dart, End::a);
   const bool free_b = unmatched(tree, over, e.node, below_node, at_b, End::b);
-  // Where an end has no preimage at all, neither has anything around it.
+  // If an end has no preimage at all, neither has anything around it.
   const bool both = (free_a || !over.empty()) && (free_b || !over.empty());
   if ((free_a && free_b) || (both && link_gluing(tree, e, below_node))) {
     verdict.refusal = {Check::gluing, below_node, {}};
@@ -174,8 +174,8 @@ bool Legality::no_gluing(const MultiMesh& tree, const Copies& copies, std::uint3
 
 namespace {
 
-// False where no label can be new on one side: what has a label has it at its vertices, and one that all
-// facets over the edge have is on the simplices in between, too.
+// False if no label can be new on one side: everything that has a label has it at its vertices, and a label
+// that all facets over the edge have is on the simplices in between, too.
 template <class Covered>
 bool may_touch(const Mesh& mesh, Dart a, Dart b, const DartBuffer& over, std::span<const NodeId> children,
                const Covered& covered) {

@@ -14,13 +14,13 @@ constexpr std::size_t next(std::size_t i) {
   return i == 2 ? 0 : i + 1;
 }
 
-/// An edge of the link, from a triangle: that opposite its vertex i.
+/// An edge of the link, as seen from a triangle: the one opposite its vertex i.
 struct LinkEdge {
   std::size_t triangle, i;
   Index from, to;
 };
 
-/// Paths across a link, from one rim to another one.
+/// Paths across a link, from one rim to another.
 class CrossPaths {
  public:
   explicit CrossPaths(const std::vector<LinkTriangle>& link) : rims_(0) {
@@ -43,7 +43,7 @@ class CrossPaths {
       }
   }
 
-  /// Two paths between the same two rims that have no vertex in common, so that they part the link; empty if
+  /// Two paths between the same two rims that have no common vertex, so that they part the link; empty if
   /// there are none.
   std::vector<LinkEdge> two_paths() {
     std::set<Index> rims;
@@ -69,7 +69,7 @@ class CrossPaths {
     return static_cast<Index>(std::lower_bound(names_.begin(), names_.end(), name) - names_.begin());
   }
 
-  // From one rim to another one, or to a given one, through vertices on no rim that are not blocked.
+  // From one rim to another, or to a given one, through vertices that are on no rim and not blocked.
   std::vector<LinkEdge> shortest_path(Index rim, Index to_rim, const std::set<Index>& blocked) {
     std::vector<Index> queue;
     std::vector<LinkEdge> came_by(names_.size(), {0, 0, no_index, no_index});
@@ -107,7 +107,7 @@ class CrossPaths {
   std::vector<std::vector<LinkEdge>> edges_;  // inside the link, by vertex
 };
 
-/// The edge of a disk that is grown as far as possible. What is left may need another round.
+/// The edge of a disk that is grown as far as possible. The rest may need another round.
 std::vector<Index> edge_of_a_disk(const std::vector<LinkTriangle>& link) {
   std::vector<bool> in_disk(link.size(), false);
   std::set<Index> vertices;
@@ -115,7 +115,7 @@ std::vector<Index> edge_of_a_disk(const std::vector<LinkTriangle>& link) {
     in_disk[t] = true;
     vertices.insert(link[t].vertices.begin(), link[t].vertices.end());
   };
-  // A triangle may join if it meets the disk in one edge and no other vertex, or in two edges.
+  // A triangle may be added if it meets the disk in one edge and no other vertex, or in two edges.
   const auto may_join = [&](const LinkTriangle& t) {
     const auto beyond = [&](Index n) { return n != no_index && in_disk[n]; };
     const auto sides = std::count_if(t.across.begin(), t.across.end(), beyond);

@@ -162,7 +162,7 @@ NodeId MultiMesh::add_child(NodeId parent, std::unique_ptr<Mesh> child, std::spa
   nodes_[index(parent)].children.push_back(id);
   remember_order();
   Mesh& below = mesh(id);
-  // Nothing of this is ever undone. The journals are emptied on the way, so that they stay small.
+  // This is never undone. The journals are emptied repeatedly, so that they stay small.
   const auto forget = [&] {
     below.forget();
     above.forget();
@@ -215,7 +215,8 @@ std::vector<Compaction> MultiMesh::compact() {
   return moved;
 }
 
-// New names for the darts of anchors and for the facets in links. No entry: the mesh's own are the old ones.
+// New names for the darts of anchors and for the facets in links. No entry: the mesh's own names are
+// unchanged.
 void MultiMesh::follow(const std::vector<Compaction>& moved) {
   const auto renamed = [](const Compaction& c, Dart d) { return c.simplices.empty() ? d : c.dart(d); };
   for (const NodeId n : top_down_) {

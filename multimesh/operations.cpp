@@ -34,7 +34,7 @@ Propagation& Propagation::set(LegalityOptions o) {
   return *this;
 }
 
-// What is not the mesh's own has not moved when elements were renumbered, unless somebody has seen to it.
+// When elements are renumbered, vectors that the mesh does not own must be updated by the caller.
 void Propagation::require_sizes() {
   const bool renumbered = renumberings_ != tree_.renumberings_;
   for (const Attribute* a : attributes_)
@@ -57,8 +57,8 @@ void Propagation::start(NodeId n, Dart d, int k) {
   require_sizes();
 }
 
-// Maps the simplex to the root and finds its copies everywhere. What others may have edited is looked at
-// before it is walked through: a walk from a dead halfedge need not end.
+// Maps the simplex to the root and finds its copies everywhere. Checks for outside edits before traversing:
+// walking from a dead halfedge may never terminate.
 void Propagation::find_copies(NodeId n, Dart d, int k) {
   tree_.require_dart(n, d);
   if (k > tree_.mesh(n).dimension()) [[unlikely]]
@@ -109,7 +109,7 @@ void Propagation::update_attributes(const Event& event) {
     if (tree_.contains(a->node())) a->finish(event);
 }
 
-// All faces of the facets around the ends of each copy, and around the new ends of a flipped one, each once.
+// All faces of the facets around the ends of each copy, and around the new ends of a swapped one, each once.
 void Propagation::protect_neighbourhoods(Operation operation) {
   if (!protect_properties_) return;
   for (const Copy& c : copies_.all()) {

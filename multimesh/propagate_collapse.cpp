@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edge collapse in every mesh of a tree. Bottom-up: when a mesh is changed, the child facets over its dying
-// facets are dead and unlinked, so that every child facet still anchored in a changed facet survives and
-// only has to be told the new name of its parent dart. Reads come before writes, copy by copy.
+// facets are already dead and unlinked. Every child facet that is still anchored in a changed facet therefore
+// survives, and only its parent dart needs the new name. Reads come before writes, copy by copy.
 #include "multimesh/faces.hpp"
 #include "multimesh/operations.hpp"
 
@@ -9,7 +9,7 @@ namespace multimesh {
 
 namespace {
 
-/// The end that must be kept (0 or 1), the one that strata prefer, or nothing.
+/// The end that must be kept (0 or 1), or the one that strata prefer, or nothing.
 std::optional<double> held_end(const CollapseVerdict& v, bool respect_strata) {
   if (v.hold_a || v.hold_b) return v.hold_a ? 0.0 : 1.0;
   if (respect_strata && v.prefer_a != v.prefer_b) return v.prefer_a ? 0.0 : 1.0;
@@ -18,7 +18,7 @@ std::optional<double> held_end(const CollapseVerdict& v, bool respect_strata) {
 
 }  // namespace
 
-// t: where the merged vertex goes then.
+// t: the resulting place of the merged vertex.
 Refusal Propagation::judge_placed(Placement placement, double& t) {
   const CollapseVerdict verdict = legality_.collapse(tree_, copies_, legality_options_);
   if (verdict.refusal.refused()) return verdict.refusal;
@@ -63,7 +63,7 @@ Outcome Propagation::collapse(NodeId n, Dart e, const Chooser& choose) {
   return collapse_judged(asked, held.value_or(t));
 }
 
-// The end that keeps its place survives, and with it its index and every property.
+// Makes the end that keeps its place survive, with its index and every property.
 void Propagation::let_b_survive(double& t) {
   if (t > 0) return;
   for (Copy& c : copies_.all()) c.dart = tree_.mesh(c.node).reorder(c.dart, exchange_ends);
@@ -106,7 +106,7 @@ Outcome Propagation::collapse_judged(std::size_t asked, double t) {
   return succeed(Operation::collapse, copies_[asked].dart, copies_[0].dart, copies_[0].dart);
 }
 
-// The name of a dart of this copy's mesh after the copies of the same mesh that were collapsed before it.
+// The name of a dart of this copy's mesh after the earlier collapses of copies in the same mesh.
 Dart Propagation::after_earlier_collapses(std::size_t i, Dart d) const {
   const NodeId n = copies_[i].node;
   for (std::size_t j = copies_.first(n) + copies_.count(n); j-- > i + 1;)
@@ -168,7 +168,7 @@ void Propagation::collect_moved_by_collapse(NodeId n) {
   }
 }
 
-// Child facets over faces of this facet, and anchored in it. They lose their link until they are renamed.
+// Child facets over faces of this facet that are anchored in it. They are unlinked until they are renamed.
 void Propagation::collect_anchored_in(NodeId child, Dart facet) {
   if (!tree_.may_have_links(child, facet)) return;
   const Mesh& below = tree_.mesh(child);

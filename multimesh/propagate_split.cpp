@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edge split in every mesh of a tree. Top-down: when a child is split, its parent's halves exist already,
-// and each child facet over the edge is anchored, half by half, in the halves of its old parent facet.
+// Edge split in every mesh of a tree. Top-down: when a child is split, its parent's halves already exist, and
+// each child facet over the edge is anchored, half by half, in the halves of its old parent facet.
 #include "multimesh/faces.hpp"
 #include "multimesh/operations.hpp"
 
@@ -66,8 +66,8 @@ void Propagation::split_copy(std::size_t i) {
   if (c.node != NodeId::root) write_halves(i);
 }
 
-// Child facets anchored in a facet that will be split: those over the edge lose their link (their halves
-// get new ones), the others move to the half that contains their image.
+// Child facets anchored in a facet that will be split: those over the edge are unlinked (their halves get new
+// links), the others move to the half that contains their image.
 void Propagation::collect_moved_by_split(const Copy& c) {
   const auto children = tree_.children(c.node);
   if (children.empty()) return;

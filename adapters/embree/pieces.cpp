@@ -8,9 +8,9 @@ namespace multimesh::spatial {
 
 namespace {
 
-/// The squared length of the longest side over the area, from which on a triangle is cut.
+/// The squared length of the longest side over the area above which a triangle is cut.
 constexpr double thin = 16;
-/// Pieces besides the triangles themselves: so many each, and so many in any case.
+/// Limits of the additional pieces: so many per triangle, plus so many in any case.
 constexpr double pieces_each = 2, pieces_any = 100000;
 
 double squared(const Vec3& a, const Vec3& b) {
@@ -35,14 +35,14 @@ class Cutter {
   explicit Cutter(const std::vector<Triangle>& triangles) : triangles_(triangles) {}
 
   std::vector<Piece> run() {
-    double all = 0, longest = 0;  // of what may be cut
+    double all = 0, longest = 0;  // of triangles that may be cut
     for (const Triangle& t : triangles_)
       if (const double l = squared_length(t); l > thin * area(t)) {
         all += std::sqrt(l);
         longest = std::max(longest, std::sqrt(l));
       }
     const auto n = static_cast<double>(triangles_.size());
-    // Halving makes fewer than 2 l / shortest_ of a triangle that is l long.
+    // Halving makes fewer than 2 l / shortest_ pieces of a triangle of length l.
     shortest_ = std::max(2 * all / (pieces_each * n + pieces_any), longest / std::sqrt(n));
     result_.reserve(triangles_.size());
     for (Index f = 0; f < triangles_.size(); ++f) add({triangles_[f], f}, area(triangles_[f]));

@@ -27,7 +27,7 @@ using Device = std::unique_ptr<RTCDeviceTy, Release>;
 using Scene = std::unique_ptr<RTCSceneTy, Release>;
 using Geometry = std::unique_ptr<RTCGeometryTy, Release>;
 
-/// Embree reports by a code.
+/// Embree reports errors by a code.
 void check(RTCDevice device) {
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_NONE) return;
@@ -39,11 +39,11 @@ bool finite(const Vec3& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-// Embree sees coordinates that are moved and scaled so that all triangles lie in [-1, 1]^3. There a float is
-// off by 6e-8 at most, as are Embree's own differences, and every bound below has room for many of these.
-// Of a point far outside, the error grows with its coordinates. Where it hides whole triangles, a tree in
-// double precision is asked, which takes twice the time: beyond `far`, and always if more than `most_tiny`
-// triangles are smaller than `tiny`, as when some others are far away from them.
+// Embree gets coordinates that are translated and scaled so that all triangles lie in [-1, 1]^3. There a
+// float has an error of at most 6e-8, as have Embree's own differences, and every bound below has room for
+// many of these. For a point far outside, the error grows with its coordinates. Where the error could hide
+// whole triangles, a tree in double precision is used, which takes twice the time: beyond `far`, and always
+// if more than `most_tiny` triangles are smaller than `tiny`, for instance because others are far away.
 constexpr double float_error = 1e-6;
 constexpr double far = 100;
 constexpr double tiny = 20 * float_error;
@@ -70,7 +70,7 @@ struct Frame {
   double to(double x, std::size_t axis) const { return (x - center[axis]) * scale; }
 };
 
-/// Of the box around a triangle, its longest side.
+/// The longest side of the box around a triangle.
 double size_of(const Triangle& t) {
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -80,7 +80,7 @@ double size_of(const Triangle& t) {
   return size;
 }
 
-/// A radius that certainly reaches as far as `distance` does, for a query whose largest coordinate is `size`.
+/// A radius that certainly reaches as far as `distance`, for a query whose largest coordinate is `size`.
 float reach(double distance, double size) {
   return static_cast<float>(distance * (1 + float_error) + (1 + size) * float_error);
 }
@@ -89,22 +89,22 @@ float reach(double distance, double size) {
 
 struct TriangleTree::Data {
   std::vector<Triangle> triangles;
-  std::vector<Index> facet_of;  ///< per piece that Embree knows
+  std::vector<Index> facet_of;  ///< per piece in Embree's tree
   Frame frame;
   Device device;
   Scene scene;
 
-  bool hides_triangles = false;  ///< the frame, in single precision
+  bool hides_triangles = false;  ///< the single-precision frame could hide triangles
   mutable std::once_flag double_boxes_made;
   mutable std::optional<BoxTree> double_boxes;
 
   explicit Data(std::vector<Triangle> t) : triangles(std::move(t)), frame(triangles) {}
   void build();
-  /// Made when it is asked for first.
+  /// Built on first use.
   const BoxTree& in_double_precision() const;
 
-  /// Calls visit(facet) for all facets that may be within the radius, which visit returns: it may shrink.
-  /// Some are visited several times.
+  /// Calls visit(facet) for all facets that may be within the radius. visit returns the radius, which may
+  /// shrink. Some facets are visited several times.
   template <class Visit>
   void traverse(const Vec3& p, double radius, Visit visit) const;
 
@@ -214,7 +214,7 @@ const std::vector<Triangle>& TriangleTree::triangles() const {
   return data_->triangles;
 }
 
-// The order of the visits is Embree's. It does not matter: the least pair of distance and facet is kept.
+// The order of visits is Embree's, but does not matter: the least pair of distance and facet is kept.
 template <class Choice>
 std::optional<Nearby> TriangleTree::Data::nearest(const Vec3& p, double max_distance, Choice choose) const {
   Nearby best;

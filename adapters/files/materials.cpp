@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `Kd r g b` or `Kd r`; spectra and other colour spaces are left alone.
+/// `Kd r g b` or `Kd r`; spectra and other colour spaces are ignored.
 void read_color(io::TextCursor cursor, Material& material) {
   std::array<double, 3> rgb = {};
   if (!cursor.number(rgb[0])) return;

@@ -33,7 +33,7 @@ void add_count(std::vector<std::string>& warnings, std::size_t count, const std:
   if (count > 0) warnings.push_back(std::to_string(count) + " " + what);
 }
 
-/// Converts, and gives the memory of the list back.
+/// Converts a list, and frees its memory.
 template <class To, class From>
 std::vector<To> taken(std::vector<From>& list) {
   std::vector<To> result;
@@ -75,7 +75,7 @@ FileContents contents(const io::PolygonSoup& soup) {
   return c;
 }
 
-/// A number per section: equal for equal materials. Formats with tags have groups for them.
+/// A number per section, equal for equal materials. For formats with tags, their groups count as materials.
 std::vector<Index> material_numbers(const std::vector<io::PolygonSoup::Section>& sections, bool has_tags) {
   std::map<std::string, Index> number;
   std::vector<Index> of_sections;
@@ -126,7 +126,7 @@ std::string rounded_up(double x) {
   return text.str();
 }
 
-/// What was joined, and what may have to be, in sentences.
+/// What was joined, and what may have to be joined, in sentences.
 std::vector<std::string> weld_warnings(const io::SurfaceWeldReport& r, const io::SurfaceWeldOptions& o) {
   std::vector<std::string> w;
   const auto add = [&](std::size_t n, const std::string& what) {
@@ -175,7 +175,7 @@ io::PolygonSoup read_polygons(const std::filesystem::path& path, bool keep_lines
   return polygons_of(file);
 }
 
-// Lists of the soup are given back one by one as the triangles take their place: both together would be the
+// Lists of the soup are freed one by one as the triangles replace them: otherwise both together would be the
 // largest thing in memory for a while.
 SurfaceFile to_surface(io::PolygonSoup soup, const std::filesystem::path& path,
                        const SurfaceReadOptions& options) {

@@ -11,8 +11,8 @@ namespace {
 using Tags = std::vector<std::int32_t>;
 using Flags = std::vector<std::uint8_t>;
 
-/// The simplices that are to be written. Tags and flags may be empty: none has any.
-/// \return which of them the input does not list
+/// The simplices to be written. Tags and flags may be empty: none has any. \return those that the input does
+/// not list
 std::vector<std::size_t> add_block(io::SimplexSoup::Block& block, std::size_t k,
                                    const std::vector<Index>& corners, const Tags& tags, const Flags& flags,
                                    bool with_unlisted) {

@@ -31,8 +31,8 @@ std::vector<std::size_t> by_source(const std::vector<Index>& source) {
   return order;
 }
 
-/// Each combination of position, texture coordinate and normal as a vertex of its own, as far as the file had
-/// its vertices so.
+/// Makes each combination of position, texture coordinate and normal a vertex of its own, as far as the file
+/// had such vertices.
 class SplitVertices {
  public:
   SplitVertices(io::PolygonSoup& soup, const io::SurfaceWeldReport& weld) : soup_(soup), weld_(weld) {}
@@ -61,7 +61,7 @@ class SplitVertices {
  private:
   static std::uint64_t word(std::int32_t i) { return static_cast<std::uint64_t>(i); }
 
-  /// One value per vertex, with its number, if every corner has one.
+  /// One value per vertex, under the vertex's number, if every corner has one.
   template <std::size_t N>
   void renumber(std::vector<std::array<double, N>>& values, std::int32_t io::PolygonSoup::Corner::*index) {
     if (std::ranges::any_of(soup_.corners, [&](const auto& c) { return c.*index < 0; })) return;
@@ -77,7 +77,7 @@ class SplitVertices {
   const io::SurfaceWeldReport& weld_;
 };
 
-/// Lists that the soup needs, without its faces.
+/// The lists of the soup, without its faces.
 io::PolygonSoup values_of(const TexturedTriangles& surface, const CornerNormals& normals) {
   io::PolygonSoup out;
   out.positions = numbers<3>(surface.positions);

@@ -17,7 +17,7 @@
 namespace multimesh::io {
 namespace {
 
-/// A name in the directory of the target that no other process or thread takes.
+/// A name in the directory of the target that no other process or thread uses.
 std::string temporary_name(const std::filesystem::path& target) {
   static std::atomic<unsigned> counter = 0;
   const std::string name =
@@ -38,7 +38,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& path) : name_(path.string())
   if (::access(target_.c_str(), F_OK) == 0 && ::access(target_.c_str(), W_OK) != 0)
     fail("the existing output file is write-protected; choose another name", errno);
   const std::string temporary = temporary_name(target_);
-  // Registered before it exists: a signal in between finds nothing to unlink, which does no harm.
+  // Registered before the file exists: a signal in between finds nothing to unlink, which is harmless.
   slot_ = remember_pending(temporary);
   fd_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   const int error = errno;

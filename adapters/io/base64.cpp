@@ -26,7 +26,7 @@ bool decode_base64(std::string_view text, std::string& bytes) {
   int count = 0;
   for (const char c : text) {
     if (c == ' ' || c == '\n' || c == '\t' || c == '\r') continue;
-    if (c == '=') {  // the bits that are left are no byte; what follows is a new piece
+    if (c == '=') {  // the remaining bits are not a whole byte; what follows is a new piece
       count = 0;
       continue;
     }

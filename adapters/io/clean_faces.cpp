@@ -65,7 +65,7 @@ class FaceCleaner {
     report(flat, "the face has no area and is kept");
   }
 
-  /// \return the faces that are to be left out
+  /// \return the faces to be left out
   std::vector<std::uint32_t> repeated(bool keep) {
     std::vector<std::uint32_t> copies;
     FirstFace kept;
@@ -94,7 +94,7 @@ class FaceCleaner {
   void remove(std::span<const std::uint32_t> faces) { remove_faces(soup_, faces); }
 
  private:
-  /// The reason why no face has an area may be the size of the model.
+  /// Faces may have no area because of the size of the model.
   void check_size(int first_index) const {
     CoordinateRange range;
     for (const Corner& c : soup_.corners)
@@ -133,14 +133,14 @@ class FaceCleaner {
     return end;
   }
 
-  /// No two consecutive corners are equal: three corners are enough; with more, look for a third vertex.
+  /// No two consecutive corners are equal: three corners are enough; with more, search for a third vertex.
   static bool has_three_vertices(std::span<const Corner> face) {
     if (face.size() <= 3) return face.size() == 3;
     const std::int32_t a = face[0].v, b = face[1].v;
     return std::ranges::any_of(face, [&](const Corner& c) { return c.v != a && c.v != b; });
   }
 
-  /// Twice the vector area against the rounding errors of a product of two of its lengths.
+  /// Compares twice the vector area with the rounding errors of a product of two of its lengths.
   bool is_flat(std::span<const Corner> face) const {
     const auto& o = soup_.positions[static_cast<std::size_t>(face[0].v)];
     std::array<double, 3> area{}, before{};

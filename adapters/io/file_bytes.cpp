@@ -82,7 +82,7 @@ FileBytes::FileBytes(const std::filesystem::path& path) {
 std::string_view TextPieces::next() {
   while (true) {
     fill();
-    // What is short of `least` may be cut short by a long line that begins in it.
+    // A piece shorter than `least` may be cut short by a long line that begins in it.
     const std::size_t size = file_.left() == 0 ? end_ - begin_ : complete_lines();
     if (size >= least_ || file_.left() == 0) {
       const std::string_view piece(buffer_.data() + begin_, size);
@@ -93,7 +93,7 @@ std::string_view TextPieces::next() {
   }
 }
 
-/// Moves what is left to the front, and reads as much as there is room for.
+/// Moves the rest to the front, and reads as much as there is room for.
 void TextPieces::fill() {
   if (buffer_.empty()) buffer_.resize(2 * least_);
   std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
@@ -102,7 +102,7 @@ void TextPieces::fill() {
   end_ += file_.read(buffer_.data() + end_, buffer_.size() - end_);
 }
 
-/// The size of the lines that are complete, and do not go on in the rest.
+/// The size of the lines that are complete and not continued in the rest.
 std::size_t TextPieces::complete_lines() const {
   std::string_view text(buffer_.data() + begin_, end_ - begin_);
   while (!text.empty()) {

@@ -30,7 +30,7 @@ bool is_inside(const fs::path& path, const FileSearch& search) {
   return !error && is_below(canonical, fs::weakly_canonical(search.inside, error));
 }
 
-/// Whether a pattern, in which <UDIM> stands for four digits, is this name but for the case of letters.
+/// Whether a pattern, in which <UDIM> stands for four digits, is this name except for the case of letters.
 bool matches(std::string_view pattern, std::string_view name) {
   constexpr std::string_view tile = "<udim>";
   while (!pattern.empty()) {
@@ -47,7 +47,7 @@ bool matches(std::string_view pattern, std::string_view name) {
   return name.empty();
 }
 
-/// The entry of a directory that `part` means; the first one of several. Empty: none.
+/// The entry of a directory that `part` denotes; the first one of several. Empty: none.
 fs::path entry(const fs::path& directory, const fs::path& part) {
   std::error_code error;
   if (fs::exists(directory / part, error)) return directory / part;

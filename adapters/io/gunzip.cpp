@@ -17,7 +17,7 @@ namespace {
 constexpr int zlib_format = 15, gzip_format = 15 + 16;  // window bits, as inflateInit2 takes them
 constexpr std::size_t most_at_once = std::numeric_limits<uInt>::max();
 
-/// zlib's state, ended in any case.
+/// zlib's state, released in any case.
 class Inflater {
  public:
   Inflater(std::string_view bytes, int format) : bytes_(bytes) {
@@ -66,7 +66,7 @@ std::string gunzip(std::string_view bytes, const std::string& file) {
     const std::size_t got = inflater.read(content.data() + before, content.size() - before, status);
     content.resize(before + got);
     if (status == Z_STREAM_END) {
-      if (!is_gzip(inflater.rest())) return content;  // what is behind is padding
+      if (!is_gzip(inflater.rest())) return content;  // the rest is padding
       inflater.begin_next();
     } else if (status != Z_OK || (got == 0 && inflater.rest().empty())) {
       fail_unpacking(file, status, "the gzip data");
@@ -76,7 +76,7 @@ std::string gunzip(std::string_view bytes, const std::string& file) {
 
 std::string inflate_zlib(std::string_view bytes, std::size_t most, const std::string& file) {
   Inflater inflater(bytes, zlib_format);
-  // Grows with what is there, for `most` may be a number that is only claimed.
+  // Grows with the actual content, because `most` may be a false claim.
   std::string content(std::min(most, 4 * bytes.size() + 1024), '\0');
   std::size_t size = 0;
   int status = Z_OK;

@@ -155,7 +155,7 @@ class MeditParser {
     builder_.add(0, std::array{vertex}, vertex < tags.size() ? tags[vertex] : 0, flag.line, flag.flags);
   }
 
-  /// All that is no number belongs to the next section.
+  /// Words that are not numbers belong to the next section.
   void unknown(std::string_view name) {
     if (std::isalpha(static_cast<unsigned char>(name.front())) == 0)
       words_.fail("a section has to begin here, not " + quoted_word(name) +

@@ -21,7 +21,7 @@ void put_numbers(OutputBuffer& out, const char* name, const std::vector<std::uin
   out.character('\n');
 }
 
-/// References of points: those that they have, and the tags of vertices where they have none.
+/// References of points: their own, or the tags of vertices if they have none.
 std::vector<std::int32_t> point_references(const SimplexSoup& soup) {
   std::vector<std::int32_t> references = soup.point_tags;
   references.resize(soup.points.size());
@@ -59,7 +59,8 @@ void put_elements(OutputBuffer& out, const SimplexSoup::Block& block, std::size_
   }
 }
 
-/// Lists of vertices name points; a vertex that has no flag is a corner, for else it could not be written.
+/// Lists of vertices name points. A vertex without flags is written as a corner, because there is no other
+/// way.
 void put_flags(OutputBuffer& out, const SimplexSoup::Block& block, std::size_t dimension) {
   std::vector<std::uint64_t> feature, required;
   for (std::size_t i = 0; i < block.size(); ++i) {

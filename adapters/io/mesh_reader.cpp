@@ -24,9 +24,9 @@ bool is_packed(const std::filesystem::path& path) {
 
 PolygonSoup read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
   std::error_code error;
-  // What is no file is refused as such by any reader, whatever its extension.
+  // Whatever its extension, any reader refuses something that is not a file.
   if (!std::filesystem::is_regular_file(path, error)) return read_obj(path, options);
-  // Not through memory as the others: OBJ files are the large ones.
+  // Not through memory like the others: OBJ files are the large ones.
   if (format_extension(path) == ".obj" && !is_packed(path)) return read_obj(path, options);
   return parse_mesh(UnpackedBytes(path).view(), path, options);
 }

@@ -103,7 +103,7 @@ void read_msh2_nodes(MshContent& content) {
   read_nodes(content, [](MshSource&) {});
 }
 
-/// Behind each node, its entity and its parameters on that, which we have no use for.
+/// After each node come its entity and its parameters on that, which we do not use.
 void read_msh2_parametric_nodes(MshContent& content) {
   read_nodes(content, [](MshSource& in) {
     const std::int32_t dimension = in.integer("the dimension of an entity");
@@ -128,7 +128,7 @@ void read_msh2_elements(MshContent& content) {
   }
 }
 
-/// Text in binary files too.
+/// Text, also in binary files.
 void read_msh2_periodic(MshContent& content) {
   WordSource& words = content.in.words();
   for (std::size_t n = words.count("periodic entities", 6); n > 0; --n) {

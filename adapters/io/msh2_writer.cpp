@@ -66,7 +66,7 @@ void put_element(MshSink& sink, const Element& element, std::int32_t number) {
   sink.end_line();
 }
 
-/// In binary a block of one type, in text each on its line; `number` goes on over all dimensions.
+/// In binary one block per type, in text one line per element; `number` continues over all dimensions.
 void put_block(MshSink& sink, const SimplexSoup::Block& block, const Groups& groups,
                const std::vector<std::int32_t>& entities, std::size_t dimension, std::int32_t& number) {
   if (sink.binary() && block.size() != 0) {
@@ -98,7 +98,7 @@ void put_link(MshSink& text, const SimplexSoup::Periodic& link) {
   }
 }
 
-/// Text in binary files, too.
+/// Text, also in binary files.
 void put_periodic(MshSink& sink, const SimplexSoup& soup) {
   if (soup.periodic.empty()) return;
   MshSink text = sink.as_text();

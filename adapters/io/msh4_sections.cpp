@@ -16,12 +16,12 @@ int entity_dimension(MshSource& in) {
   return dimension;
 }
 
-/// Its sign says which way round the entity is in the group, and is no part of the tag.
+/// The sign is the orientation of the entity in the group, and not part of the tag.
 std::int32_t physical_tag(std::int32_t signed_tag) {
   return signed_tag < -2147483647 ? signed_tag : std::abs(signed_tag);
 }
 
-/// What comes behind its tag.
+/// Reads what follows the tag.
 void read_entity(MshContent& content, int dimension, ReadEntity& entity) {
   MshSource& in = content.in;
   const int box = dimension == 0 ? 3 : 6;
@@ -52,7 +52,7 @@ std::array<std::size_t, 4> entity_counts(MshSource& in) {
   return counts;
 }
 
-/// The nodes of all blocks, as they come.
+/// The nodes of all blocks, in file order.
 struct Nodes {
   std::vector<std::uint64_t> numbers, where;
   std::vector<std::array<double, 3>> points;
@@ -97,7 +97,7 @@ void read_element_block(MshContent& content, std::vector<std::uint32_t>& nodes) 
   }
 }
 
-/// The numbers at the beginning of $Nodes and $Elements. \return of blocks
+/// Reads the numbers at the beginning of $Nodes and $Elements. \return the number of blocks
 std::size_t block_count(MshSource& in, std::string_view what) {
   in.begin_data();
   const std::size_t blocks = in.count("entity blocks", 4);

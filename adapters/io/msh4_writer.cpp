@@ -35,7 +35,7 @@ void put_entities(MshSink& sink, const SimplexSoup& soup, const Entities& entiti
   sink.end_section("Entities");
 }
 
-/// Points or simplices by the entity that they are in, each entity's in their order: blocks of the file.
+/// Points or simplices by their entity, in their order within it: blocks of the file.
 using Blocks = std::map<std::int32_t, std::vector<std::uint32_t>>;
 
 /// A point is in the entity of lowest dimension that has a simplex at it; one without a simplex, in the first
@@ -67,7 +67,7 @@ void put_counts(MshSink& sink, std::string_view section, const std::array<Blocks
   sink.end_line();
 }
 
-/// Numbers of nodes are those of their order in the soup.
+/// Nodes are numbered by their order in the soup.
 void put_nodes(MshSink& sink, const SimplexSoup& soup, const Entities& entities) {
   const std::array<Blocks, 4> blocks = node_blocks(soup, entities);
   put_counts(sink, "$Nodes\n", blocks);
@@ -90,7 +90,7 @@ void put_nodes(MshSink& sink, const SimplexSoup& soup, const Entities& entities)
   sink.end_section("Nodes");
 }
 
-/// Simplices have the numbers of their order in the soup, after those of lower dimension, from `number`.
+/// Simplices are numbered by their order in the soup, after those of lower dimension, from `number`.
 void put_block(MshSink& sink, const SimplexSoup::Block& block, std::size_t dimension,
                const std::vector<std::uint32_t>& members, std::uint64_t number) {
   for (const std::uint32_t i : members) {

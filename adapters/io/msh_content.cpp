@@ -13,7 +13,7 @@ bool is_tagged(std::int32_t tag) {
   return tag != 0;
 }
 
-/// Ascending where the numbers are 1 to n, each once; as they come otherwise.
+/// Ascending if the numbers are 1 to n, each once; otherwise in file order.
 std::vector<std::size_t> order_of(std::span<const std::uint64_t> numbers) {
   const std::size_t n = numbers.size();
   std::vector<std::size_t> order(n, n);

@@ -19,7 +19,7 @@ void MshEntity::add(const std::array<double, 3>& p) {
 
 namespace {
 
-/// The periodic entities of one dimension by their numbers, and those that each point is in.
+/// The periodic entities of one dimension by their numbers, and the entities that contain each point.
 class PeriodicEntities {
  public:
   PeriodicEntities(const SimplexSoup& soup, int dimension) {
@@ -41,7 +41,7 @@ class PeriodicEntities {
 
   const std::map<std::int32_t, std::vector<std::uint32_t>>& points() const { return points_; }
 
-  /// The first entity that all corners are in. \return whether there is one
+  /// The first entity that contains all corners. \return whether there is one
   bool find(std::span<const std::uint32_t> corners, std::int32_t& number) const {
     if (of_point_.empty()) return false;
     for (const std::int32_t candidate : of_point_[corners[0]]) {
@@ -108,7 +108,7 @@ MshEntities entities_of(const SimplexSoup& soup, std::size_t k) {
     entity.physical = block.tags[i];
     for (const std::uint32_t p : corners) entity.add(soup.points[p]);
   }
-  for (const auto& [number, points] : periodic.points())  // those without simplices, too
+  for (const auto& [number, points] : periodic.points())  // also those without simplices
     for (const std::uint32_t p : points) entities.by_number[number].add(soup.points[p]);
   return entities;
 }

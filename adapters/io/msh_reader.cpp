@@ -6,7 +6,7 @@
 namespace multimesh::io {
 namespace {
 
-/// `dimension tag "name"`, as text in binary files too.
+/// `dimension tag "name"`, as text also in binary files.
 void read_physical_names(MshContent& content) {
   WordSource& words = content.in.words();
   for (std::size_t n = words.count("physical names", 6); n > 0; --n) {

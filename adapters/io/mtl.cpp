@@ -39,7 +39,7 @@ class Relocation {
     return library.text.empty() ? name : copy(library);
   }
 
-  /// Writes a library of the input next to the output, unless it is there.
+  /// Writes a library of the input next to the output, unless it is already there.
   std::string copy(const MaterialLibrary& library) {
     TextureFinder finder(library.path, input_, follow_paths_);
     const fs::path directory = directory_of(library.path);
@@ -62,8 +62,8 @@ class Relocation {
  private:
   bool is_in_place(const fs::path& library) const { return !library.empty() && directory_of(library) == to_; }
 
-  /// The name of a texture as the output sees it. The file that was found may have another one: one of the
-  /// tiles that `<UDIM>` stands for, for instance.
+  /// The name of a texture relative to the output. The file that was found may have another name: for
+  /// instance one of the tiles that `<UDIM>` stands for.
   std::string texture(std::string_view name, const fs::path& mtl_directory, const fs::path& found) const {
     if (is_absolute_name(name) && (found.empty() || found == fs::path(name))) return std::string(name);
     std::string last(last_part(name));
@@ -73,7 +73,7 @@ class Relocation {
     return moved.empty() ? target.string() : moved.generic_string();
   }
 
-  /// The first name that is free, or that a file with this very content has.
+  /// The first name that is free, or whose file has this same content.
   std::string free_name(const std::string& wanted, const std::string& text) const {
     if (is_usable(wanted, text)) return wanted;
     for (int n = 1;; ++n) {

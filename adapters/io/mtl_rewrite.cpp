@@ -11,7 +11,8 @@
 namespace multimesh::io {
 namespace {
 
-/// Options with their largest number of arguments. Those of more than one may have fewer: only numbers count.
+/// Options with their largest number of arguments. Those with more than one may have fewer: only numbers
+/// count.
 constexpr std::array<std::pair<std::string_view, int>, 14> options = {{{"-blendu", 1},
                                                                        {"-blendv", 1},
                                                                        {"-bm", 1},
@@ -36,8 +37,8 @@ const auto* option_of(std::string_view word) {
   return std::ranges::find(options, word, &std::pair<std::string_view, int>::first);
 }
 
-/// Takes the arguments of an option before a path. The last word of the line is never one: it belongs to the
-/// path.
+/// Skips the arguments of an option before a path. The last word of the line is never one, because it belongs
+/// to the path.
 void skip_arguments(TextCursor& cursor, int most) {
   for (int n = 0; n < most; ++n) {
     TextCursor ahead = cursor;
@@ -47,7 +48,7 @@ void skip_arguments(TextCursor& cursor, int most) {
   }
 }
 
-/// Whether all of a text is options with their arguments.
+/// Whether a text consists only of options with their arguments.
 bool is_options(TextCursor cursor) {
   while (!cursor.at_end()) {
     const auto* option = option_of(cursor.word());
@@ -60,7 +61,7 @@ bool is_options(TextCursor cursor) {
   return true;
 }
 
-/// Without the options that some programs write behind a path.
+/// Removes the options that some programs write after a path.
 std::string_view without_options_behind(std::string_view path) {
   for (std::size_t at = path.find(" -"); at != std::string_view::npos; at = path.find(" -", at + 1))
     if (is_options(TextCursor(path.substr(at)))) return trimmed(path.substr(0, at));
@@ -72,7 +73,7 @@ std::string_view without_quotes(std::string_view path) {
   return quoted ? path.substr(1, path.size() - 2) : path;
 }
 
-/// What is left of the line without the statement and its options.
+/// The rest of the line after the statement and its options.
 std::string_view texture_path(std::string_view line) {
   TextCursor cursor(line);
   if (!is_texture_statement(cursor.word())) return {};

@@ -21,7 +21,7 @@ namespace {
 
 class ObjParser {
  public:
-  /// Reads the first text, of a file of `size` bytes.
+  /// Parses the first text of a file of `size` bytes.
   ObjParser(std::string_view text, std::size_t size, const std::filesystem::path& path, bool keep_lines)
       : lines_(text, LineSource::Continuation::joined),
         directory_(path.parent_path()),
@@ -43,7 +43,8 @@ class ObjParser {
   }
 
  private:
-  /// Room for a file of triangles with texture coordinates. Pages that are never written cost nothing.
+  /// Reserves room for a file of triangles with texture coordinates. Pages that are never written cost
+  /// nothing.
   void reserve(std::size_t bytes) {
     soup_.positions.reserve(bytes / 120);
     soup_.texcoords.reserve(bytes / 120);
@@ -174,7 +175,7 @@ class ObjParser {
     polyline_line_.push_back(lines_.number());
   }
 
-  /// Indices may point ahead.
+  /// Indices may refer to later positions.
   void check_polylines() const {
     for (std::size_t i = 0; i < soup_.line_count(); ++i)
       for (std::uint32_t c = soup_.line_begin[i]; c < soup_.line_begin[i + 1]; ++c)
@@ -199,7 +200,8 @@ class ObjParser {
     return c;
   }
 
-  /// Positive indices may point ahead and are checked at the end; negative ones count back from here.
+  /// Positive indices may refer to later elements and are checked at the end; negative ones count back from
+  /// here.
   std::int32_t index(TextCursor& cursor, std::string_view text, std::size_t so_far, const char* what) {
     std::int64_t i = 0;
     if (!cursor.integer(i)) [[unlikely]]
@@ -274,7 +276,7 @@ class ObjParser {
   std::size_t first_unknown_line_ = 0;
 };
 
-/// Refuses what is no OBJ file by its first bytes. \return the text without a byte order mark
+/// Refuses by its first bytes what is not an OBJ file. \return the text without a byte order mark
 std::string_view checked_beginning(std::string_view text, const std::string& file) {
   check_obj_content(text, file);
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);

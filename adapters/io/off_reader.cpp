@@ -20,7 +20,7 @@ class OffParser {
   PolygonSoup parse() {
     const std::size_t vertex_count = header();
     const std::size_t face_count = words_.count("faces", 2);
-    // The number of edges; some leave it out, and none needs it.
+    // The number of edges; some files omit it, and it is not needed.
     if (words_left_on_line() != 0) words_.integer("the number of edges");
     words_.check_count(vertex_count, "vertices", 6);
     if (face_count == 0) words_.fail("the file has no face; give a surface");
@@ -34,7 +34,7 @@ class OffParser {
   }
 
  private:
-  /// The keyword, which may be missing, and may be glued to the first number. \return the number of vertices
+  /// The keyword may be missing, or joined to the first number. \return the number of vertices
   std::size_t header() {
     std::string_view word = words_.peek();
     const std::size_t at = word.find("OFF");

@@ -38,7 +38,7 @@ Vector mean_difference(const SimplexSoup& soup, const SimplexSoup::Periodic& lin
   return sum;
 }
 
-// The numbers of the file if the points bear them out: they have no noise.
+// The numbers of the file if the points confirm them: they have no noise.
 Vector translation_of(const SimplexSoup& soup, const SimplexSoup::Periodic& link, double tolerance) {
   const Vector mean = mean_difference(soup, link);
   for (const auto& [slave, master] : link.points) {

@@ -42,7 +42,7 @@ Role vertex_role(const PlyProperty& property) {
   return none;
 }
 
-/// What one unit of a colour property counts for.
+/// The value of one unit of a colour property.
 double color_unit(PlyType type) {
   if (type == PlyType::uint8) return 1 / 255.0;
   if (type == PlyType::uint16) return 1 / 65535.0;
@@ -162,8 +162,8 @@ class PlyParser {
     }
   }
 
-  /// Lists of vertices of which three after each other are a triangle, every second one the other way round;
-  /// -1 ends a strip.
+  /// Lists of vertices of which each three consecutive ones are a triangle, every second one with the
+  /// opposite orientation; -1 ends a strip.
   void strips(const PlyElement& element) {
     for (const auto& p : element.properties)
       if (!is_index_list(p)) left_out("strip " + p.name);
@@ -184,7 +184,7 @@ class PlyParser {
       indices_.assign(vertices.begin() + static_cast<std::ptrdiff_t>(i) - 2,
                       vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       if (size % 2 == 0) std::swap(indices_[0], indices_[1]);
-      // A vertex that comes twice turns the strip round a corner, and is no face.
+      // A repeated vertex turns the strip round a corner, and makes no face.
       const bool turns =
           indices_[0] == indices_[1] || indices_[1] == indices_[2] || indices_[2] == indices_[0];
       if (!turns) face();

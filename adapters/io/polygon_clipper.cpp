@@ -60,9 +60,9 @@ PolygonClipper::Rank PolygonClipper::rank_of(std::uint32_t i, double area) {
   return is_blocked(i) ? Rank::blocked : Rank::ear;
 }
 
-/// Another corner lies in the triangle, or on the diagonal that would cut it off. Corners at the places of
-/// its own three corners do not count: in a polygon that only touches itself, what leaves them leads
-/// outwards. The corner that was found is told: when it is cut off, this one is judged again.
+/// Whether another corner lies in the triangle, or on the diagonal that would cut it off. Corners at the
+/// places of its own three corners do not count: in a polygon that only touches itself, edges from these lead
+/// outwards. The corner that was found is notified: when it is cut off, this one is judged again.
 bool PolygonClipper::is_blocked(std::uint32_t i) {
   const std::uint32_t by =
       tree_.find_in_triangle(points_[nodes_[i].before], points_[i], points_[nodes_[i].after]);
@@ -86,7 +86,7 @@ void PolygonClipper::cut(std::uint32_t i) {
   triangles_.push_back({before, i, after});
   nodes_[before].after = after;
   nodes_[after].before = before;
-  nodes_[i].judged = nothing;  // what waits for it in the queue is void
+  nodes_[i].judged = nothing;  // its entries in the queue become void
   tree_.remove(i);
   judge(before);
   judge(after);

@@ -13,7 +13,7 @@ namespace multimesh::io {
 
 namespace {
 
-/// The tags of triangles: what an OBJ file calls objects and groups, and an STL file solids.
+/// The tags of triangles, from objects and groups of an OBJ file, or solids of an STL file.
 class SectionTags {
  public:
   explicit SectionTags(const PolygonSoup& soup) : soup_(soup) {
@@ -96,7 +96,7 @@ PolygonSoup to_polygons(const SimplexSoup& soup) {
 
 namespace {
 
-/// As an OBJ file names several groups: with blanks between them.
+/// In the format of OBJ files for several groups: separated by blanks.
 std::string group_names(const SimplexSoup& soup, std::int32_t tag) {
   std::string names;
   for (const std::int32_t group : groups_of(soup, 2, tag)) {

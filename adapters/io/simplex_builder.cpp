@@ -119,7 +119,7 @@ void SimplexBuilder::check_indices(std::span<const std::uint32_t> corners, std::
            " but the file has " + std::to_string(soup_.points.size()) + "; correct or remove the element");
 }
 
-/// The existing triangulation does the work, on a soup of the polygons alone.
+/// Uses the existing triangulation, on a soup of only the polygons.
 void SimplexBuilder::cut_polygons() {
   if (polygon_tags_.empty()) return;
   if (polygon_corners_.size() > std::numeric_limits<std::uint32_t>::max())
@@ -180,7 +180,7 @@ void SimplexBuilder::add_warnings() {
   say(n.high_order, " elements are of higher order; their corners are kept, and no other of their points");
   say(n.cut_polygons, " polygons of four or more corners are cut into triangles");
   say(n.doubled, " elements are listed again with the same points and tag; they are left out");
-  // Those of elements of higher order are told above.
+  // Points of elements of higher order are reported above.
   if (n.high_order == 0) say(n.unused_points, " points belong to no element; they are not used");
   if (left_out_.empty()) return;
   std::string list;

@@ -45,7 +45,7 @@ std::string_view without_beginning(std::string_view text) {
   }
 }
 
-/// Nullptr when the content does not say what it is.
+/// Nullptr when the content does not tell its format.
 Parser parser_of(std::string_view bytes) {
   const std::string_view text = without_beginning(bytes.substr(0, 65536));
   for (const Signature& s : signatures)
@@ -59,11 +59,11 @@ bool is_surface(std::string_view extension) {
   return extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off";
 }
 
-/// Of a file of polygons all that a set of simplices has room for.
+/// Keeps everything of a file of polygons that a set of simplices can store.
 ReadOptions all_of(ReadOptions options) {
   options.keep_lines = true;
   options.max_collapsed_share = 1;
-  options.keep_repeated = true;  // solids that meet may both list what is between them
+  options.keep_repeated = true;  // solids that meet may both list their common faces
   return options;
 }
 

@@ -45,7 +45,7 @@ bool any_tag(const SimplexSoup::Block& block) {
   return std::ranges::any_of(block.tags, [](auto tag) { return tag != 0; });
 }
 
-/// What no surface format has.
+/// What no surface format can store.
 Lost lost_in_surface(const SimplexSoup& soup, bool has_edges) {
   Lost lost;
   const auto add = [&](std::size_t count, const char* what) {
@@ -69,7 +69,7 @@ Lost put_surface(OutputBuffer& out, const SimplexSoup& soup, const std::string& 
   return lost_in_surface(soup, false);
 }
 
-/// Tags of formats that have one tag for a simplex.
+/// Warns for formats that have one tag per simplex.
 void warn_of_tag_sets(const SimplexSoup& soup, const std::string& file, std::vector<std::string>& warnings) {
   for (const SimplexSoup::TagSet& set : soup.tag_sets) {
     std::string groups;
@@ -93,7 +93,7 @@ Lost put_volume(OutputBuffer& out, const SimplexSoup& soup, const std::string& e
   return lost;
 }
 
-/// The soup as Gmsh's formats can have it; `soup` itself where it is so.
+/// The soup in a form that Gmsh's formats can store; `soup` itself if it already is.
 const SimplexSoup& for_gmsh(const SimplexSoup& soup, SimplexSoup& copy, const std::string& file,
                             std::vector<std::string>& warnings) {
   const auto all_positive = [](const auto& block) {

@@ -44,7 +44,7 @@ class SoupCheck {
     const std::vector<bool> used = used_positions();
     for (const auto& [position, line] : nonfinite)
       if (used[position]) fail_position(position, line);
-    // The place of another one, so that the extent of all positions stays that of those that are used.
+    // Takes the place of a used position, so that the extent of all positions stays that of the used ones.
     const auto first = static_cast<std::size_t>(std::ranges::find(used, true) - used.begin());
     for (const auto& [position, line] : nonfinite)
       soup_.positions[position] = first < used.size() ? soup_.positions[first] : std::array<double, 3>{};

@@ -44,7 +44,7 @@ class FacetCollector {
     soup_.face_section.push_back(static_cast<std::uint32_t>(soup_.sections.size()) - 1);
   }
 
-  /// The facets that follow are of this solid.
+  /// The facets that follow belong to this solid.
   void begin_solid(std::string_view name) {
     if (soup_.sections.back().object == name) return;
     soup_.sections.emplace_back().object = name;
@@ -122,7 +122,7 @@ PolygonSoup parse_binary(std::string_view bytes, const std::string& file) {
   return facets.finish(file);
 }
 
-/// Only the keywords count: what else is on their lines is passed over, as everybody does.
+/// Only the keywords count: the rest of their lines is skipped, as all readers do.
 class TextParser {
  public:
   TextParser(std::string_view bytes, const std::string& file) : words_(bytes, file) {}

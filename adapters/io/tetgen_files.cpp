@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of that extension beside `path`; the packed one if only that is there.
+/// The file with that extension beside `path`; the packed one if only that exists.
 fs::path sibling(fs::path path, const char* extension) {
   if (path.extension() == ".gz") path = path.stem().empty() ? path : path.parent_path() / path.stem();
   path.replace_extension(extension);
@@ -34,7 +34,7 @@ struct NodeFile {
   std::vector<Node> nodes;
 };
 
-/// The numbers at the beginning: of entries, and two or three more that say what an entry has.
+/// The numbers at the beginning: the number of entries, and two or three more that describe an entry.
 template <std::size_t N>
 std::array<std::size_t, N> header(WordSource& words) {
   std::array<std::size_t, N> sizes{};
@@ -46,7 +46,7 @@ std::array<std::size_t, N> header(WordSource& words) {
   return sizes;
 }
 
-/// Entries have to be numbered one after the other.
+/// Entries must be numbered consecutively.
 void check_number(WordSource& words, std::int64_t number, std::int64_t expected) {
   if (number != expected)
     words.fail("entry " + std::to_string(number) + " comes where " + std::to_string(expected) +

@@ -47,7 +47,7 @@ class Triangulator {
     result_.polygon.push_back(static_cast<std::uint32_t>(polygon_));
   }
 
-  /// What the two triangles on the diagonal from corner i are worth; more is better.
+  /// The value of the two triangles at the diagonal from corner i; more is better.
   std::tuple<bool, bool, double> diagonal_value(std::span<const Corner> quad, std::size_t i,
                                                 const Point3& normal) const {
     const Corner &a = quad[i], &b = quad[i + 1], &c = quad[i + 2], &d = quad[(i + 3) % 4];

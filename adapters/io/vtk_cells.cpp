@@ -94,7 +94,7 @@ class CellAdder {
   }
 
  private:
-  /// Consecutive points; in a strip every second triangle is the other way round.
+  /// Consecutive points; in a strip every second triangle has the opposite orientation.
   void pieces(std::size_t size, std::int32_t tag, std::uint64_t where) {
     for (std::size_t i = 0; i + size <= nodes_.size(); ++i) {
       std::array<std::uint32_t, 3> corners{};

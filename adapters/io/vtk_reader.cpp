@@ -15,8 +15,8 @@ namespace multimesh::io {
 namespace {
 
 struct NumberType {
-  std::string_view name;  ///< as legacy files call it
-  std::string_view type;  ///< as append_numbers does
+  std::string_view name;  ///< as in legacy files
+  std::string_view type;  ///< as in append_numbers
   std::size_t size;
 };
 
@@ -54,7 +54,7 @@ class VtkParser {
 
  private:
   void begin() {
-    for (int i = 0; i < 2; ++i) {  // '# vtk DataFile …', and a title that may be anything
+    for (int i = 0; i < 2; ++i) {  // '# vtk DataFile …', and an arbitrary title
       words_.rest_of_line();
       words_.end_of_line();
     }

@@ -88,7 +88,7 @@ std::string VtuArrays::bytes(const pugi::xml_node& array) const {
   if (offset >= appended_.size()) fail(array, "its offset is beyond the end of the file; get the file whole");
   const std::string_view data = appended_.substr(offset);
   if (!appended_is_base64_) return unpacked(array, data);
-  // Only the next offset or `<` ends an array; what follows it does no harm, as sizes come first.
+  // Only the next offset or `<` ends an array; what follows it is harmless, because sizes come first.
   decode_base64(data.substr(0, data.find_first_of("<")), decoded);
   return unpacked(array, decoded);
 }

@@ -48,7 +48,7 @@ class VtuWriter {
     out_.text(type_name<T>());
     out_.text("\" Name=\"");
     out_.text(name);
-    if (components != 1) {  // scalars do without: meshio makes a column of a component
+    if (components != 1) {  // scalars do not need it: meshio makes a column of a component
       out_.text("\" NumberOfComponents=\"");
       out_.number(components);
     }

@@ -74,7 +74,7 @@ class PointTable {
     return i;
   }
 
-  // Points of other cells in the slot do no harm: the distance decides.
+  // Points of other cells in the slot are harmless: the distance decides.
   void nearest(const Point& p, std::size_t at, Found& found) const {
     for (std::uint32_t i = heads_[at]; i != nothing; i = next_[i]) {
       const double d = distance2(p, points_[i]);

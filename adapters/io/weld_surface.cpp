@@ -20,8 +20,8 @@ std::size_t at(std::int32_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// What the corners of each vertex have: an index into texture coordinates or normals, none, or several that
-/// differ in value.
+/// The values at the corners of each vertex: an index into texture coordinates or normals, none, or several
+/// that differ in value.
 template <std::size_t N>
 class CornerValues {
  public:
@@ -90,8 +90,8 @@ class SurfaceWeld {
     for (std::size_t v = 0; v < place_.size(); ++v) shared_[v] = used[place_[v]] > 1;
   }
 
-  // Faces at the same places are either copies, or sides of a sheet, which get vertices of their own: those
-  // of the second side are in layer 1, and so on. Vertices of different layers are not joined.
+  // Faces at the same places are either copies, or sides of a sheet, which get their own vertices: those of
+  // the second side are in layer 1, and so on. Vertices of different layers are not joined.
   void separate_layers() {
     constexpr std::uint8_t last = 7;
     for (std::uint8_t layer = 0; layer < last; ++layer) {
@@ -108,7 +108,7 @@ class SurfaceWeld {
       }
       if (is_done) return;
     }
-    // More sides than that: let all of them be.
+    // With more sides than that, all of them are left as they are.
     for (std::size_t v = 0; v < layer_.size(); ++v) shared_[v] = shared_[v] && layer_[v] == 0;
   }
 
@@ -129,7 +129,7 @@ class SurfaceWeld {
     return repeated_faces(by_place);
   }
 
-  /// The same face in the same section, with equal corners, turned in its own plane at most.
+  /// The same face in the same section, with equal corners, at most rotated in its own plane.
   bool is_copy(std::uint32_t f, std::uint32_t g) const {
     const auto a = soup_.face(f), b = soup_.face(g);
     if (soup_.sections[soup_.face_section[f]] != soup_.sections[soup_.face_section[g]]) return false;
@@ -145,7 +145,7 @@ class SurfaceWeld {
            (soup_.colors.empty() || soup_.colors[at(c.v)] == soup_.colors[at(d.v)]);
   }
 
-  /// Ends of edges with one face. Only edges from vertices that share their place are looked at.
+  /// Ends of edges with one face. Only edges from vertices that share their place are examined.
   std::vector<bool> open_vertices() const {
     std::vector<std::array<std::int32_t, 2>> edges;
     for (std::size_t f = 0; f < soup_.face_count(); ++f) {
@@ -165,7 +165,7 @@ class SurfaceWeld {
     return open;
   }
 
-  /// Per vertex the first of those that it is to be joined with, of those that may be.
+  /// Per vertex the first one with which it is to be joined, among those that may be joined.
   std::vector<std::int32_t> targets(const std::vector<bool>& may) const {
     std::vector<std::tuple<std::uint32_t, std::uint8_t, std::int32_t>> members;  // place, layer, vertex
     std::vector<std::int32_t> to(place_.size());

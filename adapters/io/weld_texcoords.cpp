@@ -10,7 +10,7 @@ namespace {
 
 using Uv = std::array<double, 2>;
 
-/// Not joined, but nearer than charts are in an atlas: a tenth of a texel of 1024.
+/// Not joined, but nearer than charts in an atlas: a tenth of a texel of 1024.
 constexpr double near = 1e-4;
 
 /// Relative to the size of the coordinates, where that is above 1.
@@ -36,7 +36,7 @@ class TexcoordWeld {
   }
 
  private:
-  /// Vertices whose corners name several coordinates; at most others all name one.
+  /// Finds vertices whose corners name several coordinates; at most vertices all corners name one.
   bool find_several() {
     std::vector<std::int32_t> first(soup_.positions.size(), -1);
     several_.assign(first.size(), 0);
@@ -71,7 +71,7 @@ class TexcoordWeld {
   const Uv& value(std::int32_t vt) const { return soup_.texcoords[static_cast<std::size_t>(vt)]; }
 
   /// Each corner joins the nearest coordinate within the tolerance that joined no other, as in
-  /// coincident_points; few are at one vertex.
+  /// coincident_points; there are few at one vertex.
   void vertex(std::size_t v, std::vector<std::int32_t>& joined) {
     kept_.clear();
     double farthest = 0;
@@ -80,7 +80,7 @@ class TexcoordWeld {
       if (vt < 0) continue;
       const auto [nearest, d] = nearest_kept(vt);
       if (nearest >= 0 && d <= tolerance_) {
-        // Equal values are one anyway, and may have numbers of their own on purpose.
+        // Equal values already count as one, and may have different numbers on purpose.
         if (d != 0) joined[order_[i]] = nearest;
         any_joined_ |= d != 0;
       } else {
@@ -103,7 +103,7 @@ class TexcoordWeld {
     return found;
   }
 
-  /// A face that would turn over, or lose its area, keeps what it has.
+  /// A face that would flip, or lose its area, keeps its coordinates.
   void take(std::size_t f, const std::vector<std::int32_t>& joined) {
     const std::uint32_t begin = soup_.face_begin[f], end = soup_.face_begin[f + 1];
     const auto old = [&](std::uint32_t c) { return soup_.corners[c].vt; };

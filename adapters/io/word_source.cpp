@@ -24,7 +24,7 @@ bool WordSource::next(std::string_view& word) {
 }
 
 std::string_view WordSource::peek() {
-  // The blanks before it are not taken either: binary data may begin with what looks like them.
+  // The blanks before it are not consumed either: binary data may begin with bytes that look like blanks.
   const std::size_t at = at_, line = line_;
   std::string_view word;
   next(word);
@@ -72,7 +72,7 @@ std::size_t WordSource::count(std::string_view what, std::size_t least_bytes) {
 }
 
 void WordSource::check_count(std::uint64_t count, std::string_view what, std::size_t least_bytes) const {
-  // One more: the last one needs no separator behind it.
+  // One more: the last one needs no separator after it.
   if (count == 0 || count - 1 <= left() / std::max<std::size_t>(least_bytes, 1)) return;
   fail("the file is too short for " + std::to_string(count) + " " + std::string(what) +
        "; it is truncated or the number is wrong, get it whole");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The words of the connectivity as they are written, each into the journal first, and taken back.
+// The words of the connectivity: written, each into the journal first, and restored.
 #include <algorithm>
 
 #include "multimesh/openmesh/connectivity.hpp"
@@ -153,8 +153,8 @@ void Connectivity::copy_face_properties(int from, int to) {
   named(2, to);
 }
 
-// Everything but the status, which has the deleted bit and is journaled by itself, and what tells elements
-// apart.
+// Everything except the status, which has the deleted bit and is journaled separately, and the names of
+// elements.
 void Connectivity::copy_properties(int k, std::size_t from, std::size_t to) {
   const auto copy = [](auto begin, auto end, const OpenMesh::BaseProperty* status, std::size_t i,
                        std::size_t j) {
@@ -174,7 +174,7 @@ void Connectivity::copy_properties(int k, std::size_t from, std::size_t to) {
   }
 }
 
-// A dead element, to keep values of a live one.
+// A dead element that stores values of a live one.
 int Connectivity::make_spare(int k) {
   const int spare = k == 0 ? new_vertex() : k == 1 ? new_edge(-1, -1) >> 1 : new_face();
   (*(k == 0 ? vertex_status_ : k == 1 ? edge_status_ : face_status_))[at(spare)].set_deleted(true);
@@ -193,7 +193,7 @@ void Connectivity::protect(int k, Index s) {
 void Connectivity::forget() {
   log_.clear();
   if (spares_[0].empty() && spares_[1].empty() && spares_[2].empty()) return;
-  // Spares at the end can go; others stay, as dead elements do, until the mesh is compacted.
+  // Spares at the end are removed; others stay, like dead elements, until the mesh is compacted.
   std::size_t n[3] = {om_.n_vertices(), om_.n_edges(), om_.n_faces()};
   for (int k = 0; k < 3; ++k) {
     for (; !spares_[k].empty(); spares_[k].pop_back())
@@ -209,8 +209,8 @@ void Connectivity::rollback(Mark mark) {
   }
 }
 
-// Last write first. Undoing `next` also writes prev of the old successor, as OpenMesh does; where that was
-// not its value, an older entry of the journal restores it later on.
+// Last write first. Undoing `next` also writes prev of the old successor, as OpenMesh does; if that was not
+// its value, an older entry of the journal restores it later.
 void Connectivity::undo(const Entry& e) {
   const int i = signed_word(e.index), old = signed_word(e.old);
   switch (e.word) {

@@ -60,7 +60,7 @@ bool CopiesCanBeJoined::allows_swap(const Mesh& mesh, Dart edge) {
          (of_r == 0 || !has_neighbour_like(mesh, l, of_r, no_index));
 }
 
-// The end with a label is locked, and stays.
+// The end with a label is locked, so it stays.
 bool CopiesCanBeJoined::allows_collapse(const Mesh& mesh, Dart edge) {
   Dart stays = edge, goes = mesh.reorder(edge, exchange_ends);
   if (label(mesh, stays) == 0) std::swap(stays, goes);

@@ -108,7 +108,7 @@ Dart EdgeMesh::after_split(const SplitRecord& record, Dart old, End end) const {
 
 void EdgeMesh::collapse_region(Dart e, CollapseRegion& region) const {
   region.dead.assign(1, e);
-  region.renamed.clear();  // the edge before a keeps its halfedges, they only end at b now
+  region.renamed.clear();  // the edge before a keeps its halfedges, which now end at b
 }
 
 void EdgeMesh::collapse_edge(Dart e, CollapseRecord& record) {

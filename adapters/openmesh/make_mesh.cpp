@@ -28,7 +28,7 @@ HalfedgeHandle halfedge(Index h) {
 }
 
 /// Sets the connectivity of a triangle list word by word. The result is that of OpenMesh's add_face, number
-/// by number, which in Debian's library takes several times as long.
+/// by number; add_face takes several times as long in Debian's library.
 class TriangleBuilder {
  public:
   explicit TriangleBuilder(const FacetList& list) : list_(list) {}
@@ -44,7 +44,7 @@ class TriangleBuilder {
   }
 
  private:
-  // Edges are numbered as they come; the even halfedge has the direction of the first triangle.
+  // Edges are numbered in order of appearance; the even halfedge has the direction of the first triangle.
   void number_halfedges() {
     PairNumbers edges(list_.vertices, list_.corners);
     edges.reserve(list_.corners.size() / 2 + list_.corners.size() / 16);
@@ -85,7 +85,7 @@ class TriangleBuilder {
     om_->set_halfedge_handle(face, halfedge(h[2]));
   }
 
-  // The halfedge of a vertex in the boundary is the one there: OpenMesh relies on it.
+  // The halfedge of a boundary vertex must be a boundary one: OpenMesh relies on it.
   void turn_boundary_vertices() {
     for (Index h = 0; h < om_->n_halfedges(); ++h) {
       if (om_->face_handle(halfedge(h)).is_valid()) continue;

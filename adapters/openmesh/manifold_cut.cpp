@@ -19,8 +19,8 @@ using OpenMesh::VertexHandle;
 
 namespace {
 
-/// The halfedges out of a vertex that belong to faces that hang together there, counterclockwise. If it is
-/// open, the first one's opposite and the last one itself are in the boundary.
+/// The halfedges out of a vertex whose faces are connected there, counterclockwise. If the fan is open, the
+/// first one's opposite and the last one itself are in the boundary.
 struct Fan {
   std::vector<HalfedgeHandle> out;
   bool is_open = false;
@@ -30,7 +30,7 @@ bool is_dead(const PolyConnectivity& mesh, HalfedgeHandle h) {
   return mesh.has_edge_status() && mesh.status(mesh.edge_handle(h)).deleted();
 }
 
-/// The next halfedge out of the vertex; none behind the last one of an open fan.
+/// The next halfedge out of the vertex; none after the last one of an open fan.
 HalfedgeHandle next_in_fan(const PolyConnectivity& mesh, HalfedgeHandle h) {
   return mesh.is_boundary(h) ? HalfedgeHandle() : mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
 }
@@ -39,7 +39,7 @@ bool begins_open_fan(const PolyConnectivity& mesh, HalfedgeHandle h) {
   return mesh.is_boundary(mesh.opposite_halfedge_handle(h)) && !mesh.is_boundary(h);
 }
 
-/// The fans of a vertex, by the halfedges out of it. Edges without faces are in none.
+/// The fans of a vertex, by the halfedges out of it. Edges without faces are in no fan.
 std::vector<Fan> fans_of(const PolyConnectivity& mesh, const std::vector<HalfedgeHandle>& out,
                          std::vector<bool>& seen) {
   std::vector<Fan> fans;
@@ -67,7 +67,7 @@ std::vector<std::vector<HalfedgeHandle>> outgoing(const PolyConnectivity& mesh) 
   return out;
 }
 
-/// Makes a fan all that there is at a vertex.
+/// Makes a fan the only one at a vertex.
 void give_fan(PolyConnectivity& mesh, const Fan& fan, VertexHandle v) {
   for (const HalfedgeHandle h : fan.out) mesh.set_vertex_handle(mesh.opposite_halfedge_handle(h), v);
   if (fan.is_open)
@@ -82,7 +82,7 @@ VertexHandle copy_of(PolyConnectivity& mesh, VertexHandle v) {
   return copy;
 }
 
-/// Per element the vertices of one kind of simplex, sorted; those that come after another one with the same.
+/// Per element the vertices of one kind of simplex, sorted; returns elements that repeat an earlier one.
 template <std::size_t n>
 std::vector<int> repeated(std::vector<std::pair<std::array<int, n>, int>>& all) {
   for (auto& [vertices, element] : all) std::sort(vertices.begin(), vertices.end());
@@ -93,7 +93,7 @@ std::vector<int> repeated(std::vector<std::pair<std::array<int, n>, int>>& all) 
   return found;
 }
 
-/// Triangles that have their vertices, or an edge with the vertices of another edge, in common with others.
+/// Triangles that share all their vertices, or an edge's vertices by different edges, with other triangles.
 std::vector<OpenMesh::FaceHandle> improper_faces(const PolyConnectivity& mesh) {
   std::vector<std::pair<std::array<int, 3>, int>> faces;
   for (const auto f : mesh.all_faces()) {
@@ -123,8 +123,8 @@ std::vector<OpenMesh::FaceHandle> improper_faces(const PolyConnectivity& mesh) {
   return handles;
 }
 
-/// Gives a face an edge of its own in place of that of h, with all of its properties. Links of boundary
-/// halfedges are left to give_fan().
+/// Gives a face an edge of its own in place of that of h, with all of its properties. give_fan() sets the
+/// links of boundary halfedges.
 void open_edge(PolyConnectivity& mesh, HalfedgeHandle h) {
   const auto face = mesh.face_handle(h);
   const HalfedgeHandle n = mesh.new_edge(mesh.from_vertex_handle(h), mesh.to_vertex_handle(h));
@@ -151,7 +151,7 @@ class Cutter {
     if (last_label_ == 0) last_label_ = 1;
   }
 
-  /// Where vertices of their own are not enough to tell two simplices apart, triangles are taken out.
+  /// Where separate vertices are not enough to distinguish two simplices, disconnects triangles.
   std::size_t run() {
     cut_fans();
     for (auto faces = improper_faces(mesh_); !faces.empty(); faces = improper_faces(mesh_)) {
@@ -180,7 +180,7 @@ class Cutter {
     }
   }
 
-  // The fan that the vertex knows keeps it.
+  // The fan to which the vertex's own halfedge belongs keeps the vertex.
   void cut(VertexHandle v, std::vector<Fan> fans) {
     if (fans.size() < 2) {
       if (!fans.empty() && opened_[static_cast<std::size_t>(v.idx())]) give_fan(mesh_, fans[0], v);
@@ -216,7 +216,7 @@ bool have_neighbour_in_common(const PolyConnectivity& mesh, VertexHandle v, Vert
   });
 }
 
-/// Gives v all that there is at w. \pre both are open, without a neighbour in common
+/// Gives v everything at w. \pre both are open, without a common neighbour
 void merge(PolyConnectivity& mesh, VertexHandle v, VertexHandle w) {
   const HalfedgeHandle from_v = mesh.halfedge_handle(v), from_w = mesh.halfedge_handle(w);
   const HalfedgeHandle to_v = mesh.prev_halfedge_handle(from_v), to_w = mesh.prev_halfedge_handle(from_w);
@@ -256,7 +256,7 @@ ManifoldCut::Joined ManifoldCut::join() {
   if (!is_cut_) return joined;
   require_detached(mesh_);
   const auto labels = labels_of(mesh_);
-  std::map<CutLabel, std::vector<VertexHandle>> joint;  // by label, those that are one already
+  std::map<CutLabel, std::vector<VertexHandle>> joint;  // by label, those that are already joined
   std::vector<VertexHandle> apart;
   for (const auto v : mesh_.all_vertices()) {
     const CutLabel label = mesh_.property(labels, v);

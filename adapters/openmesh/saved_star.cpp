@@ -22,7 +22,7 @@ void SavedStar::add(FaceHandle f) {
   if (f.is_valid()) faces_.push_back({f, mesh_.halfedge_handle(f), mesh_.status(f).bits()});
 }
 
-// A collapse writes halfedges of the edges at the vertex and of the faces there, and what is linked to them.
+// A collapse writes halfedges of the edges at the vertex and of the faces there, and those linked to them.
 void SavedStar::save(VertexHandle vertex) {
   halfedges_.clear();
   vertices_.clear();
@@ -46,7 +46,7 @@ void SavedStar::save(VertexHandle vertex) {
   } while (h != first);
 }
 
-// All `next` before all `prev`: setting one writes the other, of a halfedge that may have been another's.
+// All `next` before all `prev`: setting `next` also writes `prev` of a halfedge that may have been another's.
 void SavedStar::restore() {
   for (const Halfedge& s : halfedges_) {
     mesh_.set_vertex_handle(s.h, s.to);

@@ -11,14 +11,14 @@ namespace multimesh::openmesh {
 
 namespace {
 
-/// Facets by classes of corners, numbered as they come; `texcoord_of`: per class, into the list of values.
+/// Facets by classes of corners, numbered in order of appearance; `texcoord_of`: per class, into the values.
 FacetList by_class(const TexturedCorners& in, Index surface_vertices, std::span<const Vec2> values,
                    std::vector<Index>& texcoord_of) {
   FacetList classes{2, 0, first_equal_corners(in.corners, surface_vertices, in.texcoord, values)};
   for (Index c = 0; c < classes.corners.size(); ++c) {
     Index& first = classes.corners[c];
     if (first != c) {
-      first = classes.corners[first];  // before c: a number already
+      first = classes.corners[first];  // before c: already a number
     } else {
       first = classes.vertices++;
       texcoord_of.push_back(in.texcoord[c]);

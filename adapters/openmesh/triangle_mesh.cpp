@@ -239,7 +239,7 @@ void TriangleMesh::check(std::vector<std::string>& problems) const {
     const int n = next(h), p = prev(h);
     if (n < 0 || n >= halfedges || p < 0 || p >= halfedges || !live(1, n >> 1) || !live(1, p >> 1)) {
       report("halfedge", h, "has a dead neighbour");
-      return;  // nothing below could be walked
+      return;  // the walks below would not be possible
     }
     if (prev(n) != h || next(p) != h) report("halfedge", h, "next and prev do not agree");
     if (from(n) != to(h)) report("halfedge", h, "does not meet its successor");

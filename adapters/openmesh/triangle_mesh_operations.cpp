@@ -95,7 +95,7 @@ void TriangleMesh::collapse_region(Dart e, CollapseRegion& region) const {
   }
 }
 
-// As collapse_edge() will have it: b->l takes the place of a->l, r->b that of r->a.
+// As collapse_edge() will do it: b->l takes the place of a->l, r->b that of r->a.
 void TriangleMesh::merge_values(Dart e, const Merging& merging) {
   const int h = forward(e), o = h ^ 1;
   const Carried carried = what_is_carried();
@@ -188,7 +188,7 @@ int TriangleMesh::outgoing_after_collapse(int h) const {
     return x;
   };
   // Before the collapse a halfedge a->l or r->a in the boundary has no face; the one that takes its place
-  // still has.
+  // still has one.
   if (face(of_b) < 0) return renamed(of_b);
   if (face(of_a) < 0) return renamed(of_a);
   return renamed(of_b);

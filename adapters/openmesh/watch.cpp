@@ -65,8 +65,8 @@ bool Watch::same_counts() const noexcept {
   return counts_ == counts_now();
 }
 
-// A walk that does not come back to where it began gives a sum all the same, of as many halfedges as there
-// are: a wrong one.
+// A walk that does not return to its start still gives a sum, over as many halfedges as there are: a wrong
+// one.
 std::uint64_t Watch::sum_around(int v) const {
   const int first = om_.halfedge_handle(OpenMesh::VertexHandle(v)).idx();
   std::uint64_t sum = 0;
@@ -85,7 +85,7 @@ std::uint64_t Watch::sum_around(int v) const {
 
 bool Watch::in_step(int v) const {
   if (v < 0 || at(v) >= sums_->size()) return false;
-  // Of a dead vertex OpenMesh keeps the halfedge, but no live edge has the vertex.
+  // OpenMesh keeps the halfedge of a dead vertex, but no live edge has the vertex.
   if (is_dead(0, v)) return (*sums_)[at(v)] == 0;
   return (*sums_)[at(v)] == sum_around(v);
 }

@@ -52,8 +52,8 @@ void TetMesh::resize_tets(std::size_t n) {
     if (l.used && l.k == 3) l.facet_plus_one.resize(n, 0);
 }
 
-// Tetrahedra like others, properties included. Slots that were freed since the last forget() wait: what they
-// held, and what attributes have noted about them, may come back.
+// Tetrahedra with the properties of others. Slots that were freed since the last forget() are not reused yet:
+// their old contents, and what attributes have recorded about them, may be restored.
 void TetMesh::new_tets(const std::vector<std::uint32_t>& like, std::vector<Index>& out) {
   out.clear();
   while (out.size() < like.size() && !free_tets_.empty()) {

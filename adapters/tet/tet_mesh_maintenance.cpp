@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compaction, and everything that can be wrong with the connectivity.
+// Compaction, and validation of the connectivity.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -11,7 +11,7 @@ namespace multimesh::tet {
 
 namespace {
 
-/// New numbers for those that stay, in the same order.
+/// New numbers for the remaining elements, in the same order.
 template <class IsLive>
 std::vector<Index> numbering(std::size_t n, const IsLive& is_live) {
   std::vector<Index> place(n, no_index);
@@ -148,7 +148,7 @@ void TetMesh::check(std::vector<std::string>& problems) const {
           report("tetrahedron", t, "and its neighbour do not share the face between them");
     }
   }
-  if (problems.size() > before) return;  // stars could not be walked
+  if (problems.size() > before) return;  // stars could not be traversed
   for (Index v = 0; v < flags_.size(); ++v) {
     const std::uint32_t d = vertex_tet_[v];
     if (flags_[v] & dead) continue;

@@ -130,7 +130,7 @@ void TetMesh::split_edge(Dart e, SplitRecord& record) {
   record.facets.clear();
   record.words.clear();
   const std::size_t n = ring_.darts.size();
-  // Of a large mesh, what is beyond is in no cache: all of it is asked for at once.
+  // In a large mesh, the neighbours are in no cache: prefetches all of them at once.
   for (const std::uint32_t r : ring_.darts)
     if (const std::uint32_t beyond = tets_[r >> 5].glue[local(r, 0)]; beyond != no_glue)
       __builtin_prefetch(&tets_[beyond >> 5]);
@@ -185,7 +185,7 @@ void TetMesh::for_each_table(const Visit& visit) {
   for (const auto& p : simplex_properties_) visit(p->table());
 }
 
-// Of simplices that contain a and b. Links have been taken away before a split, and come back after it.
+// For simplices that contain a and b. Links were removed before the split, and are restored after it.
 void TetMesh::halve_values(const Ring& ring, Index a, Index b, Index c) {
   for_each_table([&](SimplexTable& table) {
     if (table.around(a) == 0 || table.around(b) == 0) return;
@@ -209,7 +209,7 @@ bool TetMesh::has_values(int k) const {
                      [&](const auto& p) { return p->dimension() == k; });
 }
 
-// Where both simplices have a value. What only the one at a has gets its name there when a does.
+// For simplices that both have a value. A value at a only is renamed when a is.
 void TetMesh::merge_values(Dart e, const Merging& merging) {
   if (simplex_properties_.empty()) return;
   const Index a = at(code(e), 0), b = at(code(e), 1);
@@ -252,7 +252,7 @@ void TetMesh::collapse_edge(Dart e, CollapseRecord& record) {
   for (const std::uint32_t t : star_)
     if (tets_[t >> 5].v[0] != no_index) set_corner(t >> 5, local(t, 0), b);
 
-  // Vertices that were known by a dying tetrahedron are now known by the one that took its place.
+  // Vertices whose stored tetrahedron is dying now refer to the one that took its place.
   const auto in_dead = [&](Index v) { return tets_[vertex_tet_[v] >> 5].v[0] == no_index; };
   for (std::size_t i = 0; i < ring_.darts.size(); ++i) {
     const std::uint32_t r = ring_.darts[i];
@@ -315,7 +315,8 @@ Dart TetMesh::after_collapse(const CollapseRecord& record, Dart old) const {
   return old;
 }
 
-// Simplices with a get b for it; those with both lose their numbers. \pre nothing has been written yet
+// Replaces a by b in the simplices with a; those with both lose their numbers. \pre nothing has been written
+// yet
 void TetMesh::rename_values(const std::vector<std::uint32_t>& star, const Ring& ring, Index a, Index b) {
   for_each_table([&](SimplexTable& table) {
     if (table.around(a) == 0) return;

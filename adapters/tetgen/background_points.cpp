@@ -16,12 +16,14 @@ namespace multimesh::tetgen {
 
 namespace {
 
-// Within these, neither TetGen's squares and cubes nor the products in its exact predicates leave the range.
+// Within these, neither TetGen's squares and cubes nor the products in its exact predicates overflow or
+// vanish.
 constexpr double least_extent = 1e-40, most_extent = 1e40;
 
 using Cell = std::array<std::uint64_t, 3>;
 
-/// Finds whether one of the points is within a radius. Cells as large as the radius: 27 of them are asked.
+/// Finds whether one of the points is within a radius. Cells are as large as the radius: 27 of them are
+/// searched.
 class NearPoints {
  public:
   NearPoints(std::span<const Point> points, const Point& origin, double radius)
@@ -100,12 +102,13 @@ Box background_box(std::span<const Point> points, const DelaunayOptions& options
       box.low[i] = std::min(box.low[i], x), box.high[i] = std::max(box.high[i], x);
     }
   double diagonal = std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
-  if (diagonal == 0) diagonal = 1;  // a single place has no size of its own
+  if (diagonal == 0) diagonal = 1;  // a single place has no extent
   if (!(diagonal >= least_extent && diagonal <= most_extent))
     throw InputError("the points extend over " + std::to_string(diagonal) + ": scale them to about 1");
   for (std::size_t i = 0; i < 3; ++i) {
     box.low[i] -= options.box_margin * diagonal, box.high[i] += options.box_margin * diagonal;
-    // TetGen takes what is flatter than 1e-8 for flat; so do coordinates far from 0, which are too coarse.
+    // TetGen treats points flatter than 1e-8 as flat; so do coordinates far from 0, whose precision is too
+    // coarse.
     if (!(box.high[i] - box.low[i] > 1e-7 * diagonal))
       throw InputError("the box of the points is flat along axis " + std::to_string(i) +
                        ": a larger margin is needed, or points nearer to the origin");

@@ -70,7 +70,7 @@ void apply_seeds(const Filling& filling, const TetrahedralizeOptions& options, C
   }
 }
 
-/// Facets that are on no side of a region: what they were meant to enclose is open.
+/// Facets that bound no region: what they were meant to enclose is open.
 void check_enclosed(const Filling& filling, const Facets& facets) {
   std::size_t outside = 0;
   for (const Sides& s : filling.regions.sides) outside += s.behind == no_index && s.before == no_index;
@@ -96,7 +96,7 @@ void warn_of_triangles(const Facets& facets, std::vector<std::string>& warnings)
   warnings.push_back(text.str());
 }
 
-/// Triangles that are there again. One with each orientation is right between two regions.
+/// Repeated triangles. One with each orientation is right between two regions.
 std::size_t count_repeated(const Facets& facets, const std::vector<Sides>& sides) {
   std::size_t repeated = 0;
   for (Index f = 0; f < facets.size(); ++f) {
@@ -133,7 +133,7 @@ void warn_of_winding(const Winding& winding, const Choice& choice, const Tetrahe
   if (!winding.turned.empty())
     warnings.push_back(counted(winding.turned.size(), "triangle") +
                        " run against the others; taken as if turned round");
-  // Seeds are no assumption.
+  // Regions with seeds are not assumed.
   const auto assumed = std::count_if(winding.assumed.begin(), winding.assumed.end(),
                                      [&](Index r) { return choice.kept[r] && choice.names[r].empty(); });
   if (assumed > 0 && options.keep != Keep::all)

@@ -20,8 +20,8 @@ std::mutex& tetgen_mutex() {
   return mutex;
 }
 
-/// The tetrahedra of distinct points in a box that is not flat; corners count the points given. Of all that
-/// TetGen can do, this is what neither crashes nor aborts.
+/// The tetrahedra of distinct points in a box that is not flat; corners number the given points. This is the
+/// part of TetGen that neither crashes nor aborts.
 std::vector<int> delaunay_of(const std::vector<Point>& points) {
   ::tetgenio in, out;
   in.numberofpoints = static_cast<int>(points.size());
@@ -37,7 +37,7 @@ std::vector<int> delaunay_of(const std::vector<Point>& points) {
   }
   std::vector<int> corners(out.tetrahedronlist,
                            out.tetrahedronlist + 4 * std::ptrdiff_t{out.numberoftetrahedra});
-  // Exact; below 0 is what we call positive. TetGen's predicates belong to the last call, hence the lock.
+  // Exact; below 0 is what we call positive. TetGen's predicates depend on the last call, hence the lock.
   for (std::size_t t = 0; t < corners.size(); t += 4) {
     const auto at = [&](std::size_t k) { return in.pointlist + 3 * std::ptrdiff_t{corners[t + k]}; };
     const double side = ::orient3d(at(0), at(1), at(2), at(3));

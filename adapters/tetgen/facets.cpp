@@ -26,8 +26,8 @@ Piece make_piece(const Corners& corners, Index triangle) {
   return piece;
 }
 
-/// Cuts a triangle at the points that lie on its edges. What is cut first depends on the numbers of points
-/// only: two triangles with the same corners get the same pieces.
+/// Cuts a triangle at the points that lie on its edges. The order of cuts depends only on the numbers of
+/// points: two triangles with the same corners get the same pieces.
 void cut(const FlatTriangles& flat, const Corners& c, std::vector<Corners>& out, std::size_t depth = 0) {
   std::size_t best = 3;
   Corners least{no_index, no_index, no_index};  // the edge, by ascending corners, and the first point on it
@@ -37,7 +37,7 @@ void cut(const FlatTriangles& flat, const Corners& c, std::vector<Corners>& out,
     if (between.empty()) continue;
     if (const Corners found{low, high, between.front()}; found < least) least = found, best = k;
   }
-  constexpr std::size_t most = 10'000;  // only triangles that intersect come so far
+  constexpr std::size_t most = 10'000;  // only intersecting triangles get this far
   if (best == 3 || out.size() + depth > most) return out.push_back(c);
   const Index a = c[best], b = c[(best + 1) % 3], apex = c[(best + 2) % 3], x = least[2];
   cut(flat, {a, x, apex}, out, depth + 1);
@@ -90,7 +90,7 @@ Facets make_facets(std::span<const Point> points, const FacetList& triangles, do
   Facets facets;
   facets.least_height = least_height;
   const std::vector<Piece> pieces = make_pieces(points, triangles, least_height, facets);
-  // Pieces are in the order of their triangles; `first` has those with equal corners side by side.
+  // Pieces are in the order of their triangles; `first` has those with equal corners contiguous.
   std::vector<Index> by_key(pieces.size());
   std::iota(by_key.begin(), by_key.end(), Index{0});
   std::sort(by_key.begin(), by_key.end(), [&](Index a, Index b) {

@@ -19,8 +19,8 @@ namespace {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-// Above the numbers that the worker has its files at: otherwise giving it one could overwrite another that is
-// yet to be given, when the caller has closed its standard streams.
+// Moves a file above the numbers at which the worker has its files. Otherwise, if the caller has closed its
+// standard streams, passing one file could overwrite another that is still to be passed.
 FileDescriptor moved_up(FileDescriptor file) {
   return FileDescriptor(::fcntl(file.get(), F_DUPFD_CLOEXEC, 10));
 }

@@ -12,15 +12,15 @@ namespace multimesh::tetgen {
 
 namespace {
 
-/// As C's own locale writes it: the caller may have another.
+/// In the format of C's own locale: the caller may have set another.
 std::string number(double x, std::chars_format format) {
   char text[400];
   const auto end = std::to_chars(text, text + sizeof text, x, format, 6);
   return {text, end.ptr};
 }
 
-/// M: neither triangles in a plane nor points that are close are merged. Each triangle keeps its marker. J:
-/// points keep their numbers, also where nothing is filled.
+/// M: neither coplanar triangles nor close points are merged, so each triangle keeps its marker. J: points
+/// keep their numbers, also where nothing is filled.
 std::string surface_switches(const TetrahedralizeOptions& o) {
   return o.split_surface ? "pQMJ" : "pQMJY";
 }
@@ -53,7 +53,7 @@ std::string hull_switches(const TetrahedralizeOptions& o) {
 }
 
 std::string refining_switches(const TetrahedralizeOptions& o) {
-  // A volume alone would bring a ratio of 2 with it.
+  // A volume alone would imply a ratio of 2.
   const double ratio = o.radius_edge_ratio > 0 ? o.radius_edge_ratio : 1000;
   std::string s = surface_switches(o) + "q" + number(ratio, std::chars_format::fixed) + "/" +
                   number(o.min_dihedral, std::chars_format::fixed);

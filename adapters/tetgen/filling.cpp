@@ -12,7 +12,7 @@ namespace multimesh::tetgen {
 
 namespace {
 
-/// Why it failed: triangles that intersect are the most frequent reason. Else the failure itself.
+/// Explains a failure: intersecting triangles are the most frequent reason; otherwise the failure itself.
 [[noreturn]] void explain(const WorkerError& error, const Surface& surface, const WorkerOptions& options) {
   using Reason = WorkerError::Reason;
   if (error.reason() == Reason::missing || error.reason() == Reason::time_out ||

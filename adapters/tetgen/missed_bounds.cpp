@@ -15,7 +15,7 @@ namespace {
 
 using Edge = std::array<Index, 2>;
 
-/// Roundings of what TetGen aims at.
+/// Rounding of TetGen's targets.
 constexpr double slack = 1 + 1e-6;
 
 Edge edge(Index a, Index b) {
@@ -68,7 +68,7 @@ std::string missed_length(const TetrahedraList& mesh, const FacetList& triangles
               longest / options.edge_length, " times the length");
 }
 
-/// In radians, the least of a tetrahedron.
+/// In radians, the smallest one of a tetrahedron.
 double least_dihedral(std::span<const Point> points, const std::array<Index, 4>& c) {
   std::array<LongVector, 4> normals;
   for (std::size_t k = 0; k < 4; ++k)

@@ -13,7 +13,7 @@ namespace {
 
 using Tag = std::int32_t;
 
-/// A positive number that is all of the text; 0: it is something else.
+/// A positive number that makes up the whole text; 0: anything else.
 Tag number_in(const std::string& text) {
   Tag n = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cohomology modulo 2, one vertex at a time. A cocycle gives a number to each edge so that the three of every
-// triangle sum up to 0; edges of a spanning tree may be given 0. When a vertex comes, its edges to earlier
-// vertices are tied together by the triangles that come with it: within a connected part of the earlier
-// vertices around it, one edge tells the others. The first part is tied to the tree; each further part adds
-// an unknown. Triangles that close a loop among them are equations, and each independent one removes an
-// unknown. The unknowns that are left are the loops.
+// Cohomology modulo 2, one vertex at a time. A cocycle assigns a number to each edge so that the three
+// numbers of every triangle sum up to 0; edges of a spanning tree may be assigned 0. When a vertex is added,
+// the triangles added with it tie together its edges to earlier vertices: within a connected part of the
+// earlier vertices around it, one edge determines the others. The first part is tied to the tree; each
+// further part adds an unknown. Triangles that close a loop among them are equations, and each independent
+// one removes an unknown. The remaining unknowns are the loops.
 #include "multimesh/algorithms/betti_numbers.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class Unknowns {
     is_known_.push_back(false);
     return {static_cast<Index>(equals_.size() - 1)};
   }
-  /// Known unknowns are replaced by what they are equal to, which is made of earlier ones.
+  /// Replaces known unknowns by their values, which consist of earlier ones.
   void reduce(Sum& s) const {
     while (true) {
       const auto known = std::find_if(s.rbegin(), s.rend(), [&](Index u) { return is_known_[u]; });

@@ -98,7 +98,7 @@ class Comparison {
   const CompareOptions& options_;
   const Box box_;
   std::vector<Sample> samples_;      // of the other surface
-  std::vector<Vec3> points_;         // where they are
+  std::vector<Vec3> points_;         // their positions
   std::vector<Vec3> closest_point_;  // of the original, to each
   SurfaceComparison out_;
 };

@@ -127,7 +127,7 @@ class Joined {
   const TexturedSurface& surface_;
   const Mesh& root_;
   bool has_copies_;
-  std::vector<Index> one_of_;  // per vertex: the one that stands for it; no_index: it has no face
+  std::vector<Index> one_of_;  // per vertex: the one that represents it; no_index: it has no face
   std::unordered_map<std::array<std::uint64_t, 4>, Index, ArrayHash> first_copy_;
   UnionFind pieces_, rim_;
   std::vector<bool> on_rim_;

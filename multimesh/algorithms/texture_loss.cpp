@@ -53,7 +53,7 @@ class TextureMeter {
   double diagonal_;
 };
 
-/// Numbers of faces on the way, each four fifths of the one before.
+/// Numbers of faces to measure during the run, each four fifths of the previous one.
 std::vector<std::size_t> levels_between(std::size_t from, std::size_t to) {
   std::vector<std::size_t> levels;
   for (std::size_t n = from - from / 5; n > to && (levels.empty() || n < levels.back()); n -= n / 5)

@@ -23,7 +23,7 @@ Vec3 tidy(const Vec3& n) {
   return {rounded(n[0]), rounded(n[1]), rounded(n[2])};
 }
 
-/// Numbers normals as they come; equal values are one.
+/// Numbers normals in order of appearance; equal values are one.
 class NormalNumbers {
  public:
   explicit NormalNumbers(std::vector<Vec3>& out) : out_(out) {}
@@ -106,7 +106,7 @@ class NormalComputer {
     return v[0] == here ? 0 : v[1] == here ? 1 : 2;
   }
 
-  /// Normal of the face in the orientation of the surface, of the length of its angle at the vertex.
+  /// Normal of the face in the orientation of the surface; its length is the angle of the face at the vertex.
   Vec3 weighted_normal(Dart d) const {
     std::array<Index, 4> v{};
     root_.vertices(root_.dart_of(2, root_.facet(d)), v.data());

@@ -19,7 +19,7 @@ struct Spoke {
   auto by_vertices() const { return std::pair(points, vertices); }
 };
 
-/// Whether all spokes that have the same points but are not the same one are known to be copies.
+/// Whether all different spokes that have the same points are known to be copies.
 bool are_known(std::vector<Spoke>& spokes) {
   std::sort(spokes.begin(), spokes.end(),
             [](const Spoke& s, const Spoke& t) { return s.by_vertices() < t.by_vertices(); });

@@ -9,7 +9,7 @@ bool SimplicesStay::before(const Event& event) {
   return std::ranges::none_of(event.copies.all(), [&](const Copy& c) { return changes(event, c); });
 }
 
-// Of a collapse, facets around the end that keeps its place stay, but for those that die.
+// In a collapse, facets around the end that keeps its place stay, except those that die.
 bool SimplicesStay::changes(const Event& event, const Copy& c) {
   const Mesh& mesh = event.tree.mesh(c.node);
   switch (event.operation) {

@@ -24,7 +24,7 @@ CopiesStayApart::CopiesStayApart(const Mesh& root, const std::vector<Index>& sou
   std::erase_if(copies_, [](const auto& of_source) { return of_source.second.size() < 2; });
 }
 
-// Vertices that have come later are no copies, whatever source they were given.
+// Vertices added later are not copies, whatever source they were given.
 std::span<const Index> CopiesStayApart::copies_of(const Index& v) const {
   const auto found = copies_.find(source_[v]);
   const bool is_copy = found != copies_.end() &&
@@ -64,7 +64,7 @@ bool CopiesStayApart::collapse_allowed(const Event& event) {
   collect_labelled_neighbours(mesh, stays, kept_);
   collect_labelled_neighbours(mesh, goes, gained_);
   const Index merged = mesh.vertex(stays);
-  // Faces that meet in an edge with a third one are held together by the fan around its ends: it stays
+  // Faces that meet in an edge with a third one are held together by the fan around its ends, which stays
   // closed.
   if (mesh.is_locked(merged) && !mesh.is_boundary(stays, 0) && mesh.is_boundary(goes, 0)) return false;
   std::erase_if(gained_, [&](Index x) {
@@ -114,7 +114,7 @@ bool SeamsStayOpen::before(const Event& event) {
          (!seam_at_b || event.t >= 1 || open_around(event.tree, root.reorder(a, exchange_ends), edge, then));
 }
 
-// Rounding may do it in a split, and a vertex may be moved to where charts touch.
+// Rounding in a split may close a seam, and so may moving a vertex to where charts touch.
 bool SeamsStayOpen::after(const Event& event) {
   if (event.operation != Operation::split && event.operation != Operation::relocate) return true;
   if (event.copies.count(texture_) < 2) return true;

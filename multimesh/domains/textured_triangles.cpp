@@ -12,7 +12,7 @@ namespace multimesh {
 
 namespace {
 
-/// A list with an entry per triangle or position, or perhaps with none.
+/// A list with one entry per triangle or position, or possibly empty.
 void check_length(std::size_t have, std::size_t want, const char* what, const char* of) {
   if (have != 0 && have != want)
     throw InputError(std::to_string(have) + " " + what + " for " + std::to_string(want) + " " + of +
@@ -52,13 +52,13 @@ bool is_small(const Point& p) {
   return std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) <= most; });
 }
 
-/// Of the whole list, whether triangles use it or not: far cheaper than to ask corner by corner.
+/// For the whole list, whether triangles use the points or not: far cheaper than checking corner by corner.
 template <class Point>
 bool all_small(const std::vector<Point>& points) {
   return std::all_of(points.begin(), points.end(), is_small<Point>);
 }
 
-/// The first triangles tell, but of a model that is tiny.
+/// Except for a tiny model, the first triangles decide.
 bool has_extent(const TexturedTriangles& input) {
   return std::any_of(input.triangles.begin(), input.triangles.end(), [&](const auto& t) {
     const auto at = [&](std::size_t i) { return input.positions[static_cast<std::size_t>(t[i].position)]; };

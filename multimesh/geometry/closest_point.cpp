@@ -24,9 +24,9 @@ void improve_by_edge(PointOnTriangle& best, const Triangle& moved, std::size_t i
 
 }  // namespace
 
-// With p as the origin no digits are lost to a mesh that is far from its own. A projection into the triangle
-// by signed areas is exact enough if the triangle is not a needle; otherwise its edges are asked as well, and
-// whatever is better counts: any weights give a point of the triangle.
+// With p as the origin, no digits are lost if the mesh is far from its own origin. A projection into the
+// triangle by signed areas is exact enough if the triangle is not a needle. Otherwise its edges are tried as
+// well, and the better point counts: any weights give a point of the triangle.
 PointOnTriangle closest_point(const Vec3& p, const Triangle& triangle) {
   const Triangle moved{triangle[0] - p, triangle[1] - p, triangle[2] - p};
   const std::array<Vec3, 3> edge{triangle[1] - triangle[0], triangle[2] - triangle[1],

@@ -28,7 +28,7 @@ std::vector<spatial::Nearby> closest(const spatial::TriangleTree& surface, const
   for_each_block(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     Index last = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      // The closest triangle of the point before bounds the search, with room for roundings.
+      // The closest triangle of the previous point bounds the search, with room for rounding.
       const Vec3& p = points[i];
       const double bound = std::sqrt(spatial::closest_point(p, surface.triangles()[last]).squared_distance);
       all[i] = *surface.nearest(p, bound * (1 + 1e-12) + std::numeric_limits<double>::min());

@@ -22,7 +22,7 @@ std::vector<Index> textured_triangles(const TexturedTriangles& surface) {
   return textured;
 }
 
-/// A tree over some triangles, as `corners` (in_space or in_texture) gives them.
+/// A tree over some triangles, as returned by `corners` (in_space or in_texture).
 TriangleTree tree_over(const TexturedTriangles& surface, const std::vector<Index>& which,
                        Triangle (*corners)(const TexturedTriangles&, const Corners&)) {
   std::vector<Triangle> triangles;
@@ -50,8 +50,8 @@ TextureMap::TextureMap(const TexturedTriangles& surface, Search search)
     in_space_ = tree_over(surface, textured_, in_space);
 }
 
-// Some models have thousands of triangles at one place of the texture, or all of them: looked for there, each
-// place would be asked for all. Some triangles tell.
+// Some models have thousands of triangles at one place of the texture, or all of them. Searching the texture
+// would then visit all of these for each place. A sample of triangles detects this.
 bool TextureMap::is_stacked() const {
   constexpr std::size_t asked = 32, many = 100;
   const std::size_t n = textured_.size(), step = std::max<std::size_t>(1, n / asked);

@@ -35,8 +35,8 @@ void NearTriangles::add(Index name, const spatial::Triangle& t) {
   entries_[size_++] = entry(name, t);
 }
 
-/// Infinite if the triangle's plane or the planes through its edges tell that p is not near. There, errors
-/// can only be on the safe side. Most points are far or straight above the triangle.
+/// Infinite if the triangle's plane or the planes through its edges show that p is not near. Errors of that
+/// test are on the safe side only. Most points are far from the triangle or straight above it.
 double NearTriangles::squared_distance(const Entry& e, const Vec3& p) const {
   const double limit = distance_ * (1 + 1e-9);
   bool is_above = e.is_fat;

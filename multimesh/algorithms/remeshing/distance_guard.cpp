@@ -12,10 +12,10 @@ namespace multimesh::remeshing {
 
 namespace {
 
-/// Of the angle between a triangle and the mean of those around it, from which on it is compared with the
-/// input.
+/// Threshold for the cosine of the angle between a triangle and the mean of those around it, below which it
+/// is compared with the input.
 constexpr double bent_cosine = 0.9;
-/// Of the bound: a triangle is compared at four points, and may be farther in between.
+/// Share of the bound: a triangle is compared at four points, and may be farther in between.
 constexpr double few_points = 0.6;
 /// Points in a square whose side is the spacing.
 constexpr double per_square = 2;
@@ -53,10 +53,10 @@ DistanceGuard::DistanceGuard(const Mesh& surface, const Coordinates& positions, 
   }
 }
 
-// In proportion to the area, whatever the shape: what makes no whole point in one triangle counts in the
-// next. The places are those of the R2 sequence, folded into the triangle, so that thin triangles side by
-// side have them at different places of their length. Source: Roberts, The unreasonable effectiveness of
-// quasirandom sequences, 2018.
+// In proportion to the area, whatever the shape: a fraction of a point that remains in one triangle is
+// carried over to the next. The places are those of the R2 sequence, folded into the triangle, so that thin
+// triangles side by side have them at different places along their length. Source: Roberts, The unreasonable
+// effectiveness of quasirandom sequences, 2018.
 void DistanceGuard::add_points(const spatial::Triangle& t, Index facet, double spacing) {
   constexpr double u_step = 0.7548776662466927, v_step = 0.5698402909980532;
   due_ += per_square * normal(t).norm() / 2 / (spacing * spacing);
@@ -128,7 +128,7 @@ void DistanceGuard::hand_on(const DartBuffer& triangles) {
   put_settled();
 }
 
-// Of each point that was taken, as long as there is one within the distance.
+// For each point that was taken, as long as there is one within the distance.
 void DistanceGuard::find_nearest(const DartBuffer& triangles, double distance) {
   candidates_.clear();
   for (const Dart t : triangles) candidates_.push_back({triangle(t), mesh_.facet(t)});
@@ -142,9 +142,10 @@ void DistanceGuard::find_nearest(const DartBuffer& triangles, double distance) {
   }
 }
 
-// The triangle that had the point is asked first: around a vertex with many triangles, others seldom are.
+// The triangle that had the point is tried first: around a vertex with many triangles, others are seldom
+// needed.
 Index DistanceGuard::nearest_candidate(const Taken& taken, double distance) const {
-  const double very_near = bound_ * bound_ / 64;  // no need to look for the nearest one
+  const double very_near = bound_ * bound_ / 64;  // no need to search for the nearest one
   double least = distance * distance;
   Index nearest = no_index;
   const auto ask = [&](const Candidate& c) {
@@ -166,13 +167,13 @@ void DistanceGuard::put_settled() {
   taken_.clear();
 }
 
-// A triangle may reach over a bay of the boundary without bending.
+// A triangle may reach across a bay of the boundary without bending.
 bool DistanceGuard::touches_boundary(Dart d) const {
   return mesh_.is_boundary(d, 1) || mesh_.is_boundary(mesh_.reorder(d, edge_ax), 1) ||
          mesh_.is_boundary(mesh_.reorder(d, edge_bx), 1);
 }
 
-// At the points of a grid besides the corners.
+// At the points of a grid, in addition to the corners.
 bool DistanceGuard::is_near_input(const spatial::Triangle& t) const {
   constexpr int n = 4;
   for (int i = 0; i < n; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths beside the thresholds.
+// Lengths relative to the thresholds.
 #include <algorithm>
 
 #include "multimesh/algorithms/remeshing/remesher.hpp"
@@ -28,9 +28,9 @@ std::vector<std::pair<double, Index>> Remesher::edges_in(double shortest, double
   return list;
 }
 
-// Along a line, edges are as long on average as the thresholds say. An edge counts together with the next
-// ones on either side, with which smoothing will make it even: of edges that are all too short, but whose
-// double is too long, every third vertex can go.
+// Along a curve, edges have on average the length that the thresholds require. An edge is measured together
+// with the next ones on either side, with which smoothing will even it out: of edges that are all too short,
+// but whose double is too long, every third vertex can be removed.
 double Remesher::measure(Dart edge) {
   return line_[mesh_.simplex(edge, 1)] == 0
              ? length(edge)
@@ -42,14 +42,14 @@ double Remesher::measure_on_line(double length, Dart from, Dart to) {
          4;
 }
 
-/// The length of the other edge of the line on which (a, b, ..) lies, at a, if a may move along it.
+/// The length of the other edge at a of the curve that contains (a, b, ..), if a may move along that curve.
 std::optional<double> Remesher::next_on_line(Dart edge) {
   std::array<Dart, 2> line{};
   if (strata_.freedom(edge, line) != Freedom::line) return std::nullopt;
   return length(mesh_.same_simplex(line[0], edge, 1) ? line[1] : line[0]);
 }
 
-/// Of the edges at a that b will have when (a, b, ..) is collapsed. Those that are too long already do not
+/// Over the edges at a that b will have when (a, b, ..) is collapsed. Edges that are too long already do not
 /// count.
 double Remesher::longest_after_collapse(Dart edge) {
   const Dart other = mesh_.reorder(edge, exchange_ends);

@@ -10,7 +10,7 @@ namespace multimesh::remeshing {
 
 namespace {
 
-/// Twice an area that is as good as none, relative to the squared diagonal of the bounding box.
+/// Twice an area that counts as none, relative to the squared diagonal of the bounding box.
 constexpr double relative_tiny = 1e-11;
 
 int side(const Corners& t) {

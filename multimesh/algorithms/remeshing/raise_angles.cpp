@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last pass: small angles are made larger, by swaps, collapses and moves that look at the shape alone.
+// The last pass: makes small angles larger, by swaps, collapses and moves that consider only the shape.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,20 +10,20 @@ namespace multimesh::remeshing {
 
 namespace {
 
-/// From here on an angle is no longer small.
+/// Angles from here on do not count as small.
 constexpr double small_angle = 44 * std::numbers::pi / 180;
 /// Of an equilateral triangle.
 constexpr double best_angle = std::numbers::pi / 3;
-/// The pass is repeated until it finds nothing more to do, at most so often.
+/// The pass is repeated until it finds nothing more to do, at most this often.
 constexpr int most_repeats = 3;
-/// Steps that are tried, of the length wanted: each half the one before.
+/// Steps that are tried, relative to the requested length: each half the previous one.
 constexpr std::array steps{0.2, 0.1, 0.05, 0.025, 0.0125};
-/// Of the places that are better, so many are tried.
+/// The number of better places that are tried.
 constexpr std::size_t most_tries = 8;
 
 const std::array<Permutation, 3> sides{Permutation{}, edge_ax, edge_bx};
 
-/// What some triangles and edges lack.
+/// What is wrong with some triangles and edges.
 struct Lack {
   double least = best_angle;  ///< of the angles
   double angles = 0;          ///< of all triangles, squared
@@ -40,7 +40,7 @@ struct Lack {
   }
 };
 
-/// Around a vertex that is moved, from before.
+/// The neighbourhood of a vertex that is moved, before the move.
 class Around {
  public:
   Around(const Mesh& mesh, const Coordinates& at, const DartBuffer& star, double length) : length_(length) {
@@ -50,7 +50,7 @@ class Around {
       opposite_.emplace_back(at.at(v[1]), at.at(v[2]));
     }
   }
-  /// If it goes to p. Triangles that have p as a corner vanish.
+  /// After a move to p. Triangles that have p as a corner vanish.
   Lack lack(const Vec3& p) const {
     Lack sum;
     for (const auto& [x, y] : opposite_) {
@@ -66,7 +66,7 @@ class Around {
   std::vector<std::pair<Vec3, Vec3>> opposite_;
 };
 
-/// Directions in which a vertex may go.
+/// Directions in which a vertex may move.
 std::vector<Vec3> directions(Vec3 normal) {
   normal /= normal.norm();
   const Vec3 axis = std::abs(normal[0]) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
@@ -153,7 +153,7 @@ bool Remesher::collapse_to_raise_angles(Dart edge) {
   return false;
 }
 
-/// Where a vertex may go on its surface or line, by one step.
+/// Where a vertex may move on its surface or curve, by one step.
 std::vector<Vec3> Remesher::near_places(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
                                         const Vec3& normal) const {
   std::vector<Vec3> ways, places;
@@ -165,7 +165,7 @@ std::vector<Vec3> Remesher::near_places(Dart vertex, Freedom freedom, const std:
   return places;
 }
 
-// The places with the least lack are tried first: onto the input, there and with all that is below.
+// Tries the places with the least lack first: projects them onto the input, with everything below.
 bool Remesher::move_to_raise_angles(Dart vertex) {
   std::array<Dart, 2> line{};
   const Freedom freedom = strata_.freedom(vertex, line);

@@ -11,12 +11,12 @@ namespace multimesh::remeshing {
 
 namespace {
 
-/// How far the surface may be from the input, and how dense the points are by which that is judged; of the
-/// length wanted.
+/// How far the surface may be from the input, and the spacing of the points by which that is judged; relative
+/// to the requested length.
 constexpr double nearness = 0.37, spacing = 0.5;
-/// A pass is repeated until it finds nothing more to do, at most so often.
+/// A pass is repeated until it finds nothing more to do, at most this often.
 constexpr int most_sweeps = 16;
-/// Vertices that are to move by less than this, of the length wanted, stay.
+/// Vertices whose move is shorter than this, relative to the requested length, stay.
 constexpr double smallest_share = 0.004;
 /// Moves of all vertices per round.
 constexpr int smoothings = 2;
@@ -72,8 +72,8 @@ void Remesher::let_others_work(int round) {
   guard_.sort_anew();
 }
 
-// Edges in reach are halved once at a time, and what is too short then is collapsed: many long edges side by
-// side become fewer long before they are as short as they shall be.
+// Edges in reach are halved one at a time, and edges that are then too short are collapsed: many long edges
+// side by side become fewer long before they reach the requested length.
 void Remesher::refine() {
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     const std::size_t split = split_long_edges();
@@ -99,7 +99,7 @@ std::size_t Remesher::split_long_edges() {
   return split;
 }
 
-// A triangle whose longest edge stays whole gets flatter with each split of another one, without an end.
+// A triangle whose longest edge is never split gets flatter with each split of another edge, without end.
 bool Remesher::flattens_beside_whole(Dart edge) {
   mesh_.star(edge, 1, star_);
   const Vec3 middle = (at(edge) + at(mesh_.reorder(edge, exchange_ends))) / 2;
@@ -133,7 +133,7 @@ bool Remesher::halve(Dart edge) {
   return true;
 }
 
-// The middle of a thin triangle's edge may be rounded to its other side. Returns the new vertex.
+// Rounding may put the middle of a thin triangle's edge on its other side. Returns the new vertex.
 Dart Remesher::split(Dart edge) {
   const std::vector<PlaneSides::Count> before = count_sides(edge, 1);
   Transaction undone = operations_.transaction();
@@ -165,7 +165,7 @@ std::size_t Remesher::collapse_short_edges() {
   return collapsed;
 }
 
-// Of (a, b, ..): a is free on the surface, or on a line that the edge is part of.
+// For (a, b, ..): whether a is free on the surface, or on a curve that contains the edge.
 bool Remesher::may_be_removed(Dart edge) {
   const Freedom freedom = strata_.freedom(edge);
   return freedom == Freedom::surface || (freedom == Freedom::line && !strata_.is_plain(edge));
@@ -198,7 +198,7 @@ void Remesher::read_stars_of_ends(const Copies& edges, DartBuffer& triangles) {
   drop_repeated(triangles, here.size());
 }
 
-// Stars of several copies may have triangles in common.
+// Stars of several copies may have common triangles.
 void Remesher::drop_repeated(DartBuffer& triangles, std::size_t stars) const {
   if (stars < 2) return;
   std::sort(triangles.begin(), triangles.end(),
@@ -255,7 +255,7 @@ bool Remesher::collapse(Dart edge) {
   return false;
 }
 
-// Of (a, b, ..): a goes to b.
+// For (a, b, ..): moves a to b.
 bool Remesher::collapse_guarded(Dart d) {
   const Dart b = mesh_.reorder(d, exchange_ends);
   if (!shape_.allows(d, at(b), mesh_.vertex(b))) return false;
@@ -265,7 +265,7 @@ bool Remesher::collapse_guarded(Dart d) {
   return guarded([&] { return operations_.collapse(node_, d, Placement::keep_b()); });
 }
 
-// Of the other copies that the surface has of the edge.
+// Whether the other copies of the edge in the surface allow it.
 bool Remesher::others_allow_collapse(Dart edge) {
   for (const Copy& c : copies_.of(node_)) {
     const Dart b = mesh_.reorder(c.dart, exchange_ends);
@@ -279,7 +279,7 @@ void Remesher::swap_edges() {
     if (mesh_.is_live(1, e)) result_.swaps += swap(mesh_.dart_of(1, e));
 }
 
-/// How far from the regular number of neighbours a vertex is with so many more.
+/// How far a vertex is from the regular number of neighbours if it gets `change` more.
 int Remesher::deviation(Dart vertex, int change) {
   mesh_.star(vertex, 0, star_);
   const bool boundary = mesh_.is_boundary(vertex, 0);

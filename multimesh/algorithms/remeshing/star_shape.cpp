@@ -10,17 +10,17 @@ namespace multimesh::remeshing {
 
 namespace {
 
-/// Of the angle by which a normal may turn in one step.
+/// Bounds the angle by which a normal may turn in one step.
 constexpr double least_cosine = 0.3;
 
-/// Triangles that are flatter or thinner than this are not made; nor flatter or thinner ones of those that
-/// are.
+/// No triangles flatter or thinner than this are made; existing ones are not made flatter or
+/// thinner.
 constexpr double flat = 0.15, thin = 0.05;
-/// By how much a thin triangle may get thinner still: along a strip of needles it leans more and more, until
+/// How much thinner a thin triangle may still become: along a strip of needles it leans more and more, until
 /// one of them is left.
 constexpr double leaning = 0.8;
 
-/// Flatness from which on a normal is more than the noise of the coordinates.
+/// Flatness above which a normal is more than the noise of the coordinates.
 constexpr double with_normal = 1e-5;
 
 struct Form {
@@ -68,7 +68,7 @@ bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
   return form({a, b, c}, normal(a, b, c)).flatness < flat;
 }
 
-// The one across from the shortest side.
+// The angle opposite the shortest side.
 double least_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto at = [](const Vec3& p, const Vec3& q, const Vec3& r) {
     return std::atan2(cross(q - p, r - p).norm(), dot(q - p, r - p));

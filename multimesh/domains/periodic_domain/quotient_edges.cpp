@@ -58,7 +58,7 @@ LatticeVector positive(const LatticeVector& v) {
 }  // namespace
 
 std::optional<std::string> too_short(const QuotientEdges& edges) {
-  // The shortest way round for each combination of periods; those along a single axis first, x before y.
+  // The shortest cycle for each combination of periods; those along a single axis first, x before y.
   struct Cycle {
     int axes, length;
     LatticeVector around;

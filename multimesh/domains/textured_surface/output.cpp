@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::int32_t unnumbered = -1;
 
-/// Numbers the vertices of the surface as they come; copies of one input position at one point are one.
+/// Numbers the vertices of the surface in order of appearance; copies of one input position at one point are
+/// one.
 class PositionNumbers {
  public:
   PositionNumbers(const TexturedSurface& surface, TexturedTriangles& out)
@@ -45,7 +46,7 @@ class PositionNumbers {
   std::unordered_map<std::array<std::uint64_t, 4>, std::int32_t, ArrayHash> copies_;
 };
 
-/// Numbers the texture coordinates of one set as they come; equal values are one.
+/// Numbers the texture coordinates of one set in order of appearance; equal values are one.
 class TexcoordNumbers {
  public:
   TexcoordNumbers(const TexturedSurface& surface, std::size_t set, std::vector<Vec2>& out)
@@ -55,7 +56,7 @@ class TexcoordNumbers {
         out_(out),
         number_(tree_.mesh(node_).capacity(0), unnumbered) {}
 
-  /// Of the three vertices of the root dart d, in its order; -1 if the triangle is not in the texture.
+  /// For the three vertices of the root dart d, in its order; -1 if the triangle is not in the texture.
   std::array<std::int32_t, 3> operator()(Dart d) {
     copy_.clear();
     tree_.to_child(node_, d, 2, copy_);
@@ -85,7 +86,7 @@ class TexcoordNumbers {
   DartBuffer copy_;
 };
 
-/// As shading.hpp has it. The corners are those of d, in its order.
+/// As in shading.hpp. The corners are those of d, in its order.
 std::uint8_t shading_of(const TexturedSurface& surface, const Mesh& root, Dart d) {
   const Dart from_second = root.switch_dart(root.switch_dart(d, 0), 1);
   const std::array edges{d, from_second, root.switch_dart(d, 1)};
