@@ -21,22 +21,22 @@ struct DecimateOptions {
   /// Stop at this many triangles or fewer. 0: no such target.
   std::size_t faces = 0;
   /// Intermediate levels of detail: numbers of triangles, descending, each above `faces`. on_level is called
-  /// with the position in the list when that many or fewer are left; the run then goes on from there.
+  /// with the position in the list when that many or fewer are left; then the run continues.
   std::vector<std::size_t> levels = {};
   std::function<void(std::size_t level)> on_level = {};
 
   // --- bounds; lengths are relative to the diagonal of the bounding box
-  /// No point of the surface as it was given to this call, insides of triangles included, is farther than
-  /// this from the surface that is left, and no vertex of that is farther from the surface as it was.
+  /// No point of the surface passed to this call, insides of triangles included, is farther than this from
+  /// the resulting surface, and no vertex of the result is farther than this from the passed surface.
   /// Guaranteed; in doubt, a collapse is refused.
   double max_error = std::numeric_limits<double>::infinity();
-  /// Each vertex of the texture is painted at most this far from its place. Guaranteed for vertices; points
-  /// inside triangles are not looked at.
+  /// Each vertex of the texture is drawn at most this far from its place. Guaranteed for vertices; points
+  /// inside triangles are not examined.
   double max_texture_error = std::numeric_limits<double>::infinity();
   /// No normal deviates by more than this from those of the input's triangles merged into it; radians.
   double max_normal_deviation = std::numeric_limits<double>::infinity();
-  /// No triangle gets an aspect ratio (longest edge over shortest height) above this, unless one was as bad
-  /// there before. At least 2 / sqrt(3), that of the equilateral triangle.
+  /// No triangle gets an aspect ratio (longest edge over shortest height) above this, unless one was already
+  /// as bad there. At least 2 / sqrt(3), that of the equilateral triangle.
   double max_aspect_ratio = std::numeric_limits<double>::infinity();
   /// No face may turn its normal by more than this per collapse, in radians, below pi.
   double max_normal_turn = 1.3;
@@ -47,14 +47,14 @@ struct DecimateOptions {
 
   // --- what it costs
   DecimateCost cost = DecimateCost::quadric;
-  /// Weight of the texture: how much the square of a deviation of its content along the surface counts beside
-  /// that of the distance from the surface. 0: shape only; 1: texture deviation as such.
+  /// Weight of the texture: of the squared deviation of its content along the surface, relative to the
+  /// squared distance from the surface. 0: shape only; 1: texture deviation as such.
   double uv_weight = 0.05;
   /// Weight of planes through edges of boundaries, borders and sharp curves, orthogonal to the surface.
   double curve_weight = 1;
-  /// The same for seams that are nothing else: where they run on the surface matters little.
+  /// The same for edges that are only seams: where seams run on the surface matters little.
   double seam_weight = 0.1;
-  /// Weight of the edges of charts in the texture, beside uv_weight.
+  /// Weight of the edges of charts in the texture, in addition to uv_weight.
   double uv_curve_weight = 3;
 
   /// Weight of the distance from the planes of the input beside that from the surface as it is by then.

@@ -15,12 +15,12 @@ struct RegionReport {
   double volume = 0;
 };
 
-/// All meshes of a domain; none where it has none. The tetrahedra are joined again where the domain cut them;
-/// surface and curves are as the domain has them.
+/// All meshes of a domain; none for those that it does not have. The tetrahedra are joined again where the
+/// domain cut them; surface and curves are as the domain has them.
 struct DomainReport {
   TetTopology tets;
   std::map<TetDomain::Tag, RegionReport> regions;
-  std::size_t inverted_tets = 0;      ///< of negative or no volume, by floating-point arithmetic
+  std::size_t inverted_tets = 0;      ///< with negative or no volume, in floating-point arithmetic
   double min_dihedral = 0;            ///< smallest angle between two faces of a tetrahedron, radians
   std::optional<MeshReport> surface;  ///< its components are the sheets
   std::map<TetDomain::Tag, std::size_t> patches;  ///< triangles of the surface
@@ -30,7 +30,7 @@ struct DomainReport {
 
 /// Cost: sorting
 DomainReport report(const TetDomain& domain);
-/// The same, for those who know the topology of domain.tagged().
+/// The same, if the topology of domain.tagged() is already known.
 DomainReport report(const TetDomain& domain, TetTopology joined);
 
 }  // namespace multimesh

@@ -34,15 +34,15 @@ struct ImproveOptions {
   double target_amips = 10;
   /// Stop after this many passes over the tetrahedra above the target.
   int max_passes = 40;
-  /// Stop after this many seconds by the wall clock, with the mesh as improved so far.
+  /// Stop after this many seconds of wall-clock time, with the best mesh so far.
   double time_limit = std::numeric_limits<double>::infinity();
-  /// No edge is split for quality once the mesh has this many times the tetrahedra that it had, or that the
-  /// edge length asks for; meshes of fewer than 500 count as 500. At least 1.
+  /// No edge is split for quality once the mesh has this many times its initial tetrahedra, or as many times
+  /// those that the edge length requires; meshes of fewer than 500 count as 500. At least 1.
   double max_growth = 10;
 
   // --- sizes; lengths are those of the points
-  /// Edges longer than 4/3 of this are split, whatever becomes of the quality, which is improved afterwards;
-  /// ones shorter than 4/5 are collapsed where quality and surface allow it. 0: as they are.
+  /// Edges longer than 4/3 of this are split, regardless of quality, which is improved afterwards; edges
+  /// shorter than 4/5 are collapsed where quality and surface allow it. 0: leave them as they are.
   double edge_length = 0;
   /// No edge is split that would leave halves shorter than this.
   double min_edge_length = 0;
@@ -56,8 +56,8 @@ struct ImproveOptions {
   /// Attributes of others that follow the operations.
   std::vector<Attribute*> carried = {};
 
-  /// Called after each pass and about once a second; may throw to abandon the run: the domain is a valid one
-  /// then, as improved so far.
+  /// Called after each pass and about once a second; may throw to abandon the run: then the domain is valid,
+  /// with the improvements so far.
   std::function<void(const ImproveProgress&)> progress = {};
 };
 
@@ -67,7 +67,7 @@ struct TetQuality {
   double max_amips = 0, mean_amips = 0;
 };
 
-/// How often an operation was looked at, and what came of it.
+/// How often an operation was considered, and the results.
 struct OperationCount {
   std::string name;
   std::size_t tried = 0, done = 0;
@@ -82,14 +82,14 @@ enum class ImproveStop {
   time_limit,
 };
 
-/// The edges, beside the length that was asked for.
+/// The edges, compared with the requested length.
 struct EdgeLengths {
   double shortest = 0, longest = 0, mean = 0;
   double share_in_range = 1;  ///< of edges from 4/5 to 4/3 of the length
   std::size_t too_long = 0;   ///< edges longer than that
 };
 
-/// Why tetrahedra are left above the target: what they have in common, and what that allows at best.
+/// Why tetrahedra remain above the target: what they have in common, and the best value that this allows.
 struct ImproveObstacle {
   std::string reason;
   std::size_t tets = 0;
@@ -103,13 +103,13 @@ struct ImproveResult {
   ImproveStop stop = ImproveStop::done;
   int passes = 0;
   TetQuality before, after;
-  EdgeLengths lengths;  ///< after; only if a length was asked for
+  EdgeLengths lengths;  ///< after; only if a length was requested
   std::vector<OperationCount> operations;
   std::vector<ImproveObstacle> obstacles;  ///< empty if the target is reached
   /// No mesh of this domain with these surfaces and curves has a smaller max AMIPS, however it is refined: a
-  /// corner of the surface, or an angle between its faces, forbids it. 3 if nothing is known.
+  /// corner of the surface, or an angle between its faces, forces it. 3 if nothing is known.
   double least_max_amips = 3;
-  std::array<double, 3> least_max_amips_at{};  ///< the point that forbids it
+  std::array<double, 3> least_max_amips_at{};  ///< the point that forces it
   double seconds = 0;                          ///< by the wall clock
 };
 

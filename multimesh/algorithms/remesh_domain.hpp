@@ -22,10 +22,10 @@ struct DomainRemeshResult {
 };
 
 /// Isotropic remeshing of the surface of a domain (boundary, interfaces and listed triangles) while the
-/// tetrahedra follow; all of them stay of positive volume, exactly. Patches, regions and curves are kept as
-/// remesh() keeps patches and lines. After each round the tetrahedra are improved with the surface as it is
-/// then, so that there is room for the next one. \throw InputError as remesh() and improve() do, and if the
-/// domain has no surface. Cost: that of both, per round.
+/// tetrahedra follow; all of them keep a positive volume, exactly. Patches, regions and curves are kept as in
+/// remesh(). After each round the tetrahedra are improved with the current surface fixed, which makes room
+/// for the next round. \throw InputError as remesh() and improve(), and if the domain has no surface. Cost:
+/// that of both, per round.
 DomainRemeshResult remesh(TetDomain& domain, const DomainRemeshOptions& options);
 
 }  // namespace multimesh

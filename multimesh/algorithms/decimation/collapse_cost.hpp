@@ -11,32 +11,32 @@ namespace multimesh::decimation {
 
 /// What collapsing an edge costs, and the best place for the merged vertex.
 ///
-/// The cost is the squared deviation of the merged vertex from the triangles around both ends, as they are
-/// now, each weighted by a third of its area: the distance to the triangle's plane and, weighted by
-/// `uv_weight`, the distance along it between the vertex and where the texture has its content (the texture
-/// deviation of Cohen, Olano, Manocha 1998, with the texture continued affinely). It is quadratic in position
-/// and texture coordinates together (Garland & Heckbert 1998; Hoppe 1999), and measures lengths in space
-/// only: no weight depends on the scale of the model or of its texture. Memoryless (Lindstrom & Turk 1998): a
-/// vertex of the current surface deviates by nothing, so that its form has no linear part, and what is kept
-/// per vertex is the sum over its triangles. Curves add planes through their edges.
+/// The cost is the squared deviation of the merged vertex from the current triangles around both ends, each
+/// weighted by a third of its area: the distance to the triangle's plane and, weighted by `uv_weight`, the
+/// distance along it between the vertex and where the texture has its content (the texture deviation of
+/// Cohen, Olano, Manocha 1998, with the texture continued affinely). It is quadratic in position and texture
+/// coordinates together (Garland & Heckbert 1998; Hoppe 1999), and measures lengths in space only: no weight
+/// depends on the scale of the model or of its texture. Memoryless (Lindstrom & Turk 1998): a vertex of the
+/// current surface deviates by nothing, so its form has no linear part, and what is stored per vertex is the
+/// sum over its triangles. Curves add planes through their edges.
 ///
-/// Memoryless, thin parts may be eaten up in many small steps, none of which costs much. So the distance from
-/// the planes of the input that were merged into a vertex (Garland & Heckbert 1997) counts too, by
-/// `memory_weight`.
+/// Without memory, thin parts could be consumed in many small steps, none of which costs much. So the
+/// distance from the planes of the input that were merged into a vertex (Garland & Heckbert 1997) also
+/// counts, weighted by `memory_weight`.
 class CollapseCost {
  public:
   /// Cost: linear.
   CollapseCost(const TexturedSurface& surface, const DecimateOptions& options, Strata& strata,
                const TriangleReader& reader);
 
-  /// The best plan; nothing if the ranks of the ends tell that no collapse of this edge is legal.
+  /// The best plan; nothing if the ranks of the ends show that no collapse of this edge is legal.
   std::optional<CollapsePlan> plan(Dart e) const;
-  /// The same into a plan of the caller's; false if there is none.
+  /// The same, written to the caller's plan; false if there is none.
   bool plan(Dart e, CollapsePlan& plan) const;
   /// The plan that puts the merged vertex on the edge, at (1-t) a + t b.
   CollapsePlan plan_at(Dart e, double t) const;
 
-  /// Brings the forms up to date after the collapse that `star` predicted, by this plan.
+  /// Updates the forms after the collapse that `star` predicted, by this plan.
   void collapsed(const PredictedStar& star, const CollapsePlan& plan, End kept);
 
  private:
@@ -61,7 +61,7 @@ class CollapseCost {
   const TriangleReader& reader_;
   const std::vector<Vec3>& positions_;
   std::vector<PositionForm> position_forms_;  ///< per vertex of the surface
-  /// A power of two, so that it and its powers change no digit.
+  /// A power of two, so that multiplying by it and its powers is exact.
   struct Unit {
     explicit Unit(double l)
         : length(l), per_square(1 / (l * l)), per_cube(per_square / l), per_4th(per_square * per_square) {}

@@ -24,8 +24,8 @@ struct CollapsePlan {
   Index a = no_index, b = no_index;  ///< vertices of the surface
   Vec3 at_a, at_b;                   ///< where they are
   double cost = 0;                   ///< squared deviation, integrated: length^2 x area
-  /// The merged vertex has the values of (1-t) a + t b, but for its position and texture coordinates, which
-  /// are these:
+  /// The merged vertex has the values of (1-t) a + t b, except for its position and texture coordinates,
+  /// which are these:
   double t = 0.5;
   Vec3 position;
   std::array<Copy, 2 * max_sets> copy_list;  ///< an edge has at most two copies per set

@@ -41,7 +41,7 @@ class PredictedStar {
 
   /// Reads the star of an edge dart (a, b, ...) of the root. Re-uses its memory. Cost: that of the star.
   void read(Dart e);
-  /// What a plan for this edge would make of it.
+  /// Predicts the star after a plan for this edge.
   void place(const CollapsePlan& plan);
 
   std::span<const Face> faces() const { return {faces_.data(), n_faces_}; }

@@ -9,7 +9,7 @@
 namespace multimesh::decimation {
 
 /// No triangle may turn by more than an angle in one collapse, nor become degenerate. Triangles without area
-/// may do what they like.
+/// are not checked.
 class NormalTurn final : public PlacementTest {
  public:
   /// `max_turn` in radians, below pi.
@@ -20,8 +20,8 @@ class NormalTurn final : public PlacementTest {
   double min_cosine_;
 };
 
-/// No triangle may come to have an aspect ratio, longest edge over shortest height, above a limit, unless one
-/// of those around the edge was as bad before. The equilateral triangle has 2 / sqrt(3).
+/// No triangle may get an aspect ratio, longest edge over shortest height, above a limit, unless one of those
+/// around the edge was already as bad. The equilateral triangle has 2 / sqrt(3).
 class AspectRatio final : public PlacementTest {
  public:
   explicit AspectRatio(double limit) : PlacementTest("aspect ratio"), limit_(limit) {}
@@ -32,7 +32,7 @@ class AspectRatio final : public PlacementTest {
 };
 
 /// No triangle's normal may deviate by more than an angle from the normal of any input triangle that was
-/// merged into it: per triangle, a cone holds those of the input.
+/// merged into it. Per triangle, a cone contains the normals of the input.
 class NormalDeviation final : public PlacementTest {
  public:
   /// `limit` in radians. Cost: linear.

@@ -11,14 +11,14 @@
 namespace multimesh::decimation {
 
 /// No point of the input may be farther from the surface than a distance, and no vertex of the surface
-/// farther from the input. (The idea of Klein, Liebich, Strasser 1996; but the distance is never computed,
-/// only bound.)
+/// farther from the input. (The idea of Klein, Liebich, Strasser 1996; but the distance is only bounded,
+/// never computed.)
 ///
-/// Each triangle of the input is kept with its witnesses, triangles of the surface that are near enough to
+/// Each triangle of the input is stored with its witnesses, triangles of the surface that are near enough to
 /// all of it: it can be divided into parts each of which has one of them near its three corners, and so near
 /// all of it. When a witness changes, the triangle must find others among those that are then around the
 /// merged vertex and those it has elsewhere. A vertex must be near a triangle of the input that has a witness
-/// in the old star. Where the search for these gives up, the plan is refused.
+/// in the old star. If the search for these gives up, the plan is refused.
 class SurfaceDistance final : public PlacementTest {
  public:
   /// Cost: linear.
@@ -31,14 +31,14 @@ class SurfaceDistance final : public PlacementTest {
   using Mask = NearTriangles::Mask;
   struct Vertex {
     Vec3 position;
-    std::uint64_t plan = 0;  ///< the number of the plan that `near` is about
+    std::uint64_t plan = 0;  ///< the number of the plan to which `near` belongs
     NearTriangles::Near near;
   };
   struct InputTriangle {
     std::array<Index, 3> vertices;
-    std::uint64_t plan = 0;  ///< the number of the one that looked for witnesses last
+    std::uint64_t plan = 0;  ///< the number of the last plan that searched for witnesses
   };
-  /// A point of a triangle of the input, and which candidates are near it.
+  /// A point of a triangle of the input, and the candidates near it.
   struct Corner {
     Vec3 position;
     NearTriangles::Near near;

@@ -7,11 +7,11 @@
 
 namespace multimesh::decimation {
 
-/// No vertex of the input's texture may be painted farther from its place than a distance: that between the
+/// No vertex of the input's texture may be drawn farther from its place than a distance: that between the
 /// vertex and where the surface has its texture coordinates now (or, if the chart has shrunk from there, the
-/// nearest of that chart). Each is kept with a triangle of the surface that paints it near enough. When
-/// triangles change, theirs must find another one among those that are then around the merged vertex. (The
-/// idea of Klein, Liebich, Strasser 1996, for points instead of triangles.)
+/// nearest of that chart). Each is stored with a triangle of the surface that draws it near enough. When
+/// triangles change, their vertices must find another one among those that are then around the merged vertex.
+/// (The idea of Klein, Liebich, Strasser 1996, for points instead of triangles.)
 class TextureDistance final : public PlacementTest {
  public:
   TextureDistance(const TexturedSurface& surface, const TriangleReader& reader, std::size_t set,
@@ -25,7 +25,7 @@ class TextureDistance final : public PlacementTest {
     Vec2 texcoord;
     Index next;  ///< in its triangle's list
   };
-  /// How near a triangle would be to a point: in the texture, and in space where it paints the point.
+  /// How near a triangle would be to a point: in the texture, and in space where it draws the point.
   struct Nearness {
     double in_texture, in_space;  ///< squared
   };

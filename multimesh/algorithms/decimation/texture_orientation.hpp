@@ -7,12 +7,12 @@
 
 namespace multimesh::decimation {
 
-/// No triangle of a texture may flip or lose its area. Flipped is judged against the chart: its orientation
+/// No triangle of a texture may flip or lose its area. Flipped means relative to the chart, whose orientation
 /// is the sign of its total area when the test is made, so that mirrored charts decimate like others. A
-/// triangle that is on the wrong side already may stay there or come right; one without area may stay so or
-/// come right. A chart with much area on either side, as where halves of a symmetric model share their part
-/// of the texture, has no wrong side: no triangle changes its own there, but one without area may get some.
-/// Signs are exact, so this holds of triangles of any size.
+/// triangle that is already on the wrong side may stay there or be corrected; one without area may stay so or
+/// be corrected. A chart with much area on either side, for instance where halves of a symmetric model share
+/// their part of the texture, has no wrong side: there no triangle changes its own, but one without area may
+/// get some. Signs are exact, so this holds for triangles of any size.
 class TextureOrientation final : public PlacementTest {
  public:
   /// Cost: linear.
@@ -21,8 +21,8 @@ class TextureOrientation final : public PlacementTest {
   std::size_t charts() const { return charts_.size(); }
 
  private:
-  /// Areas are doubled here. Below these a triangle cannot be seen: per chart, since its neighbours may
-  /// be far larger; and a triangle that is above the one of the whole texture may not fall below it.
+  /// Areas are doubled here. Triangles below these are invisible: per chart, since its neighbours may be far
+  /// larger; and a triangle that is above the limit of the whole texture may not fall below it.
   struct Chart {
     int sign = 0;
     double no_area = 0;

@@ -14,7 +14,7 @@ namespace multimesh::improvement {
 /// How surface and curve edges may be split, see SurfaceSplits.
 enum class HeldSplits : std::uint8_t { none, exact, rounded };
 
-/// An operation that would make the worst of the tetrahedra it replaces better.
+/// An operation that would improve the worst of the tetrahedra it replaces.
 struct Candidate {
   Kind kind = Kind::smoothing;
   Dart dart = no_dart;
@@ -28,16 +28,16 @@ struct Candidate {
   explicit operator bool() const noexcept { return dart != no_dart; }
 };
 
-/// What is asked of a candidate.
+/// Requirements on a candidate.
 struct Demand {
   double gain = 0.97;                                        ///< after < gain * before
   double enough = 0;                                         ///< or after <= this
   double shortest = 0;                                       ///< no new edge is shorter
   double longest = std::numeric_limits<double>::infinity();  ///< no new edge is longer
   HeldSplits held_splits = HeldSplits::rounded;
-  bool in_middle = false;  ///< splits put the new vertex into the middle, not where it is best
-  bool sharp = false;      ///< vertices may also go where the worst tetrahedron alone is best
-  bool remember = false;   ///< what is refused is not asked again until something around it has changed
+  bool in_middle = false;  ///< splits put the new vertex at the middle, not at the best place
+  bool sharp = false;      ///< vertices may also move to where the worst tetrahedron alone is best
+  bool remember = false;   ///< refused candidates are not tried again until something around them has changed
 
   bool is_too_long(const Vec3& p, const Vec3& q) const {
     return longest < std::numeric_limits<double>::infinity() && (p - q).norm() > longest;
@@ -45,22 +45,22 @@ struct Demand {
   double limit(double before) const { return std::max(gain * before, enough); }
 };
 
-/// Finds candidates by looking at positions only; nothing is touched. One worse than `best` is not found.
+/// Finds candidates from positions only; nothing is changed. Candidates worse than `best` are not found.
 /// Refusals are counted.
 class Candidates {
  public:
   Candidates(const Workspace& work, Counts& counts, Refusals& refusals)
       : work_(work), counts_(counts), refusals_(refusals), place_(work) {}
 
-  /// Of the edge of a dart, with the best apex.
+  /// For the edge of a dart, with the best apex.
   void edge_swap(Dart e, const Demand& demand, Candidate& best);
-  /// Of the face of a dart.
+  /// For the face of a dart.
   void face_swap(Dart f, const Demand& demand, Candidate& best);
-  /// Of the edge of (a,b,..), a going to b.
+  /// For the edge of (a,b,..), moving a to b.
   void collapse(Dart e, const Demand& demand, Candidate& best);
-  /// Of the vertex of a dart.
+  /// For the vertex of a dart.
   void smoothing(Dart v, const Demand& demand, Candidate& best);
-  /// Of the edge of a dart, with the new vertex at its best place; on held edges, in the middle.
+  /// For the edge of a dart, with the new vertex at its best place; on held edges, at the middle.
   void split(Dart e, const Demand& demand, Candidate& best);
 
  private:
@@ -78,7 +78,7 @@ class Candidates {
   void refuse_worse(Kind kind, double after) {
     refuse(kind, after < std::numeric_limits<double>::infinity() ? Why::worse : Why::inverted);
   }
-  /// Counts a question, unless it is known to be refused.
+  /// Counts an attempt, unless it is known to be refused.
   bool is_refused_already(Kind kind, Index a, Index b, const Demand& demand) {
     if (demand.remember && refusals_.knows(kind, a, b)) return true;
     tried(kind);
@@ -106,7 +106,7 @@ class Candidates {
   Ring ring_;
   EdgeState edge_;
   std::vector<Corners> star_;
-  Index star_of_ = no_index;  ///< whose star that is, in this state
+  Index star_of_ = no_index;  ///< the vertex of that star, in this state
   Refusals::State star_state_ = 0;
   double star_quality_ = 0;
   std::vector<Opposite> opposite_;

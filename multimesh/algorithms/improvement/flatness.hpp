@@ -5,7 +5,7 @@
 
 namespace multimesh::improvement {
 
-/// What counts as plane and straight: exact signs, or up to the rounding of coordinates, where points in the
+/// What counts as plane and straight: exact signs, or up to the rounding of coordinates, if points at the
 /// middle of edges are rounded, too.
 struct Flatness {
   bool rounded = false;

@@ -11,14 +11,14 @@
 
 namespace multimesh::improvement {
 
-/// How bad a mesh is, but for what the surface forces.
+/// How bad a mesh is, apart from what the surface forces.
 struct Badness {
-  double worst = 0;   ///< the greatest quality, relative to what is demanded there
+  double worst = 0;   ///< the greatest quality, relative to what is required there
   double volume = 0;  ///< of the tetrahedra above that
   bool is_worse_than(const Badness& other) const;
 };
 
-/// Within this factor of what the surface forces, a tetrahedron is as good as it gets.
+/// Within this factor of what the surface forces, a tetrahedron cannot be improved.
 inline constexpr double near_bound = 1.1;
 
 /// The loop over bad tetrahedra.
@@ -30,24 +30,24 @@ class Improver {
   void aim_at(double amips);
   std::size_t count_above(double amips) const { return count_worse(amips * amips * amips); }
   std::size_t count_bad() const { return count_worse(limit_); }
-  /// One pass over all bad tetrahedra, worst first. Where nothing helps at once, that many
-  /// splits are tried that make things worse at first, and kept if what follows makes them better than
+  /// One pass over all bad tetrahedra, worst first. Where nothing helps directly, that many splits are tried
+  /// that make things worse at first; they are kept if the operations after them make things better than
   /// before. \return how many operations were done
   std::size_t pass(int trial_splits);
-  /// From now on smaller steps count, and more is tried for them. \return false if that is so already
+  /// Makes smaller steps count, with more trials. \return false if this was already the case
   bool take_smaller_steps();
-  /// Refines around all bad tetrahedra, whatever comes of it at first, and makes passes on the result. All is
-  /// undone unless the mesh gets better.
+  /// Refines around all bad tetrahedra, regardless of quality at first, and makes passes on the result.
+  /// Undoes everything unless the mesh gets better.
   bool refine_and_improve();
-  /// Splits edges above this length, the longest ones first; quality counts only if it was good enough.
+  /// Splits edges above this length, longest first; quality counts only where it was good enough.
   /// \return how many
   std::size_t split_longer(double longest, const Demand& demand);
-  /// Splits all edges above this length at their middle, whatever becomes of the quality.
+  /// Splits all edges above this length at their middle, regardless of quality.
   std::size_t split_longer(double longest);
   /// Splits edges that are too long, and collapses short ones. \return how many
   /// \param first quality does not matter for the splits yet
   std::size_t resize(bool first);
-  /// Of the mesh as it is, beside the length that was asked for.
+  /// For the current mesh, compared with the requested length.
   EdgeLengths measure_lengths() const;
   /// How many tetrahedra the mesh may have while edges are split for quality.
   void set_largest_size(std::size_t tets) { largest_size_ = tets; }
@@ -55,7 +55,7 @@ class Improver {
   void set_tick(std::function<void()> tick) { tick_ = std::move(tick); }
   bool is_out_of_time() const;
   Badness badness() const;
-  /// Whether splits have been left out because the mesh had grown enough.
+  /// Whether splits were omitted because the mesh had reached its limit.
   bool was_full() const { return was_full_; }
   const Obstacles& forced() const { return forced_; }
 
@@ -103,7 +103,7 @@ class Improver {
   double limit_;
   Workspace work_;
   Obstacles forced_;
-  /// Per vertex: the AMIPS energy that must be expected around it.
+  /// Per vertex: the AMIPS energy that is unavoidable around it.
   std::vector<double> expected_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), ticked_ = start_;
   std::size_t largest_size_ = std::numeric_limits<std::size_t>::max();
@@ -114,7 +114,7 @@ class Improver {
   Counts counts_{};
   Refusals refusals_;
   Candidates candidates_;
-  /// With how much effort a tetrahedron was asked in vain, and in which state of the stars of its corners.
+  /// The greatest effort spent in vain on a tetrahedron, and the state of its corners' stars then.
   struct Asked {
     Refusals::State state = 0;
     int effort = -1;
@@ -126,7 +126,7 @@ class Improver {
   bool trying_ = false;  ///< in a trial: changes go to touched_
   std::vector<Index> touched_, star_, corners_;
   Dart split_at_ = no_dart;   ///< at the vertex of the last split
-  std::vector<bool> kept_;    ///< vertices that refinement made, which may not be collapsed at once
+  std::vector<bool> kept_;    ///< vertices made by refinement, which may not be collapsed at once
   std::vector<Index> fresh_;  ///< vertices made by the trial, which may not be collapsed at once
   mutable Ring ring_;
 };

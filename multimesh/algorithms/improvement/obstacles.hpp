@@ -8,20 +8,20 @@
 
 namespace multimesh::improvement {
 
-/// What the held faces and curves of a domain force upon any mesh of it: a tetrahedron in each angle between
+/// What the held faces and curves of a domain force on any mesh of it: a tetrahedron in each angle between
 /// two faces around an edge, and one with a face in each corner of a face between two edges that are creases.
 class Obstacles {
  public:
   /// Cost: a ring per edge on held faces
   Obstacles(const Workspace& work, SurfaceSplits splits);
 
-  /// The greatest lower bound of the AMIPS energy, and a point of what forces it.
+  /// The greatest lower bound of the AMIPS energy, and a point that forces it.
   double bound() const { return bound_; }
   const Vec3& place() const { return place_; }
-  /// The bound of what is forced at a vertex; 3 if nothing is, or if it is a new one.
+  /// The bound that is forced at a vertex; 3 if there is none, or if the vertex is new.
   double bound_at(Index v) const { return v < forced_.size() ? forced_[v].bound : 3; }
 
-  /// The live tetrahedra above the limit (cubed), grouped by the first reason that holds for them.
+  /// The live tetrahedra above the limit (cubed), grouped by the first reason that applies to them.
   std::vector<ImproveObstacle> explain(double limit) const;
 
  private:

@@ -15,16 +15,16 @@ namespace multimesh::improvement {
 
 using Corners = std::array<Index, 4>;
 
-/// The cubed AMIPS energy of a tetrahedron with orient3d = 1, exactly; +infinity for all others. Flat beyond
-/// what the energy can tell: `flat`. All comparisons of quality are of these numbers; lower is better.
+/// The cubed AMIPS energy of a tetrahedron with orient3d = 1, exactly; +infinity for all others. `flat` if it
+/// is too flat for the energy. All comparisons of quality use these numbers; lower is better.
 double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 inline constexpr double flat = 1e300;
-/// The same where it is below the limit; else any number from the limit on. Cheaper where the tetrahedron is
-/// nearly flat, and the limit is not so large that it matters which way.
+/// The same where it is below the limit; else any number from the limit on. Cheaper if the tetrahedron is
+/// nearly flat and the limit is not so large that its side matters.
 double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double limit);
 
-/// The tetrahedra around an edge (a,b), in turn: (a,b,rim[i],rim[i+1]), each of positive orientation. Closed:
-/// as many as rim, and the last one ends at rim[0]; open: one fewer, from boundary to boundary.
+/// The tetrahedra around an edge (a,b), in order: (a,b,rim[i],rim[i+1]), each of positive orientation.
+/// Closed: as many as rim, and the last one ends at rim[0]; open: one fewer, from boundary to boundary.
 struct Ring {
   Index a = no_index, b = no_index;
   DartBuffer darts;
@@ -78,7 +78,7 @@ class Workspace {
   // --- operations; no_dart if refused, with the reason in refusal()
   /// \return (a,c,..)
   Dart split(Dart e, const Vec3& at, std::uint8_t strata);
-  /// a goes to b. \return a dart at b
+  /// Moves a to b. \return a dart at b
   Dart collapse(Dart e);
   /// \pre e = (a,b,x,..). \return a dart at x
   Dart swap(Dart e);

@@ -12,19 +12,19 @@
 
 namespace multimesh::remeshing {
 
-/// A point of the input, and the coordinates of the meshes below there: side by side one on each side of a
-/// line.
+/// A point of the input, and the coordinates of the meshes below at that point: on a curve, one set per side,
+/// contiguous.
 struct Place {
   Vec3 position;
   struct Below {
-    std::size_t mesh;  ///< which of the coordinates
+    std::size_t mesh;  ///< index into the coordinates
     Vec3 at;
   };
   std::vector<Below> below;
 };
 
-/// The surface as it was, its patches (what lies between lines) and its lines (between vertices that stay). A
-/// vertex belongs to one of them all its life, so that it never jumps to another sheet.
+/// The original surface, its patches (the parts between curves) and its curves (between vertices that stay).
+/// A vertex belongs to one of them permanently, so it never jumps to another sheet.
 class Reference {
  public:
   /// Numbers of patches and lines are those of faces and edges, which the operations hand on: `patch` per
@@ -32,10 +32,10 @@ class Reference {
   Reference(const EmbeddedMesh& surface, TreeStrata& strata, std::vector<Index>& patch,
             std::vector<Index>& line);
 
-  /// The point of a patch closest to p among those that look the same way as `normal`, within half a space.
-  /// If it is within `expected` of p, others that are farther away cost nothing.
+  /// The point of a patch closest to p among those whose normal is within 90 degrees of `normal`. If it is
+  /// within `expected` of p, points that are farther away cost nothing.
   std::optional<Place> on_patch(Index patch, const Vec3& p, const Vec3& normal, double expected) const;
-  /// Whether any of the surface is within a distance of p.
+  /// Whether any point of the surface is within a distance of p.
   bool has_within(const Vec3& p, double distance) const { return triangles_->has_within(p, distance); }
   std::optional<Place> on_line(Index line, const Vec3& p, double expected) const;
 
@@ -57,7 +57,7 @@ class Reference {
   void number_patches(std::vector<Index>& patch);
   void number_lines(std::vector<Index>& line);
   void add(Layer& layer, Dart d, int k, Index group);
-  /// Of the triangles of a group that `look` is true of.
+  /// For the triangles of a group for which `look` is true.
   template <class Look>
   static std::optional<Place> closest(const Layer& layer, const spatial::TriangleTree& tree, Index group,
                                       const Vec3& p, double expected, Look look);

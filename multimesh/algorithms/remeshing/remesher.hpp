@@ -17,10 +17,10 @@
 
 namespace multimesh::remeshing {
 
-// Botsch and Kobbelt 2004, section 4: of the length wanted.
+// Botsch and Kobbelt 2004, section 4: relative to the requested length.
 inline constexpr double shortest_share = 4.0 / 5, longest_share = 4.0 / 3;
-/// With these thresholds edges on a surface come to be 0.92 of the length that they are shares of, on average
-/// (docs/remesh.md); who asks for a length means the average.
+/// With these thresholds, edges on a surface are on average 0.92 of the length to which they refer
+/// (docs/remesh.md). The requested length is the average.
 inline constexpr double of_average = 1 / 0.92;
 
 /// One run. The passes change the mesh so that lengths come into range; between them vertices are moved to
@@ -29,7 +29,7 @@ class Remesher {
  public:
   Remesher(EmbeddedMesh& surface, const RemeshOptions& options);
   RemeshResult run();
-  /// Per edge: the number of its line; 0 for plain edges.
+  /// Per edge: the number of its curve, from 1; 0 for plain edges.
   const std::vector<Index>& lines() const noexcept { return line_; }
 
  private:
@@ -57,7 +57,7 @@ class Remesher {
   Vec3 centre(Dart vertex, Vec3& normal);
   struct Wanted {
     Vec3 at;
-    double from_input;  ///< no farther than that, as a rule
+    double from_input;  ///< usually no farther than that
   };
   std::optional<Place> place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
                              const Wanted& wanted, const Vec3& normal) const;
@@ -74,17 +74,17 @@ class Remesher {
   void read_stars(const Copies& copies, int k, DartBuffer& triangles);
   void read_stars_of_ends(const Copies& edges, DartBuffer& triangles);
   void drop_repeated(DartBuffer& triangles, std::size_t stars) const;
-  /// Whether the triangles below, at all copies of (a, b, ..), allow a to go to b, or a swap.
+  /// Whether the triangles below, at all copies of (a, b, ..), allow moving a to b, or a swap.
   bool charts_allow_collapse() const;
   bool others_allow_collapse(Dart edge);
   bool charts_allow_swap() const;
-  /// An operation on the triangles of changing_, undone if it takes the surface too far from the input.
+  /// An operation on the triangles of changing_; undone if it moves the surface too far from the input.
   bool guarded(const std::function<Outcome()>& operation);
   bool assign(const Place& to);
 
   Vec3 at(Dart d) const { return positions_.at(mesh_.vertex(d)); }
   double length(Dart edge) const { return (at(edge) - at(mesh_.reorder(edge, exchange_ends))).norm(); }
-  /// Its length beside the thresholds.
+  /// Its length relative to the thresholds.
   double measure(Dart edge);
   double measure_on_line(double length, Dart from, Dart to);
   std::optional<double> next_on_line(Dart edge);

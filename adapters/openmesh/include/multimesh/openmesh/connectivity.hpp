@@ -13,14 +13,14 @@
 
 namespace multimesh::openmesh {
 
-/// What the adapters for triangles, edges and points share: an OpenMesh connectivity (the base of every
-/// OpenMesh mesh, so one compiled class serves all traits), our properties on it, and a journal of every word
-/// written.
+/// The common part of the adapters for triangles, edges and points: an OpenMesh connectivity (the base of
+/// every OpenMesh mesh, so one compiled class serves all traits), our properties on it, and a journal of
+/// every word written.
 ///
 /// The mesh stays the user's. We request vertex, edge and face status, and add properties whose names begin
-/// with "mm:"; all that is taken back when the adapter dies. Copies of the mesh are ordinary meshes, which
-/// can be attached by themselves. While attached, the mesh must not be moved, assigned or cleared; edits of
-/// its connectivity other than through the tree are detected (Watch), and followed where that is possible
+/// with "mm:"; all of this is removed when the adapter is destroyed. Copies of the mesh are ordinary meshes,
+/// which can be attached themselves. While attached, the mesh must not be moved, assigned or cleared. Edits
+/// of its connectivity other than through the tree are detected (Watch), and followed where possible
 /// (MultiMesh::resync).
 class Connectivity : public Mesh {
  public:
@@ -29,7 +29,7 @@ class Connectivity : public Mesh {
   OpenMesh::PolyConnectivity& openmesh() noexcept { return om_; }
   const OpenMesh::PolyConnectivity& openmesh() const noexcept { return om_; }
 
-  /// The status bit of that name, which is the user's.
+  /// The user's status bit of that name.
   bool is_locked(Index v) const override { return (*vertex_status_)[v].locked(); }
   void set_locked(Index v, bool on) override { (*vertex_status_)[v].set_locked(on); }
 
@@ -68,13 +68,13 @@ class Connectivity : public Mesh {
 
  protected:
   Connectivity(int dimension, OpenMesh::PolyConnectivity& om);
-  /// From now on others may edit the mesh, too.
+  /// From now on, other code may edit the mesh, too.
   void watch();
   /// \throw InputError with the first problem of check(). Cost: linear
   void require_consistent() const;
   /// \throw InputError naming two simplices with the same vertices. Cost: sorting
   void require_proper() const;
-  /// Keeps a mesh that was made for this adapter.
+  /// Owns a mesh that was made for this adapter.
   void own(std::unique_ptr<OpenMesh::PolyConnectivity> om) noexcept { owned_ = std::move(om); }
 
   // OpenMesh's connectivity by plain indices; -1 is OpenMesh's own "none".
@@ -103,20 +103,20 @@ class Connectivity : public Mesh {
   void copy_edge_properties(int from_halfedge, int to_halfedge);    // and those of both halfedges
   void copy_corner_properties(int from_halfedge, int to_halfedge);  // of these halfedges alone
   void copy_face_properties(int from, int to);
-  /// Whether there are properties that are carried through operations.
+  /// The kinds of properties that are carried through operations.
   struct Carried {
     bool by_edges, by_halfedges;
   };
   Carried what_is_carried() const;
-  // Exchanged with those of an element that dies, so that they can come back.
+  // Exchanged with those of an element that dies, so that they can be restored.
   void exchange_edge_values(int kept, int dying);
   void exchange_halfedge_values(int kept, int dying);
-  /// The edge has those of a new one, its halfedges those of two others.
+  /// The edge gets the values of a new one, its halfedges those of two others.
   void renew_edge(int halfedge, int like, int opposite_like);
   /// Adds the flags of another edge.
   void unite_edge_flags(int kept, int other);
 
-  /// Per simplex, one more than the facet of the child over it; 0: none.
+  /// Per simplex, the facet of the child over it, plus one; 0: none.
   const std::vector<Index>& link_column(LinkSet links) const { return *links_[links].facet_plus_one; }
 
   using Status = std::vector<OpenMesh::Attributes::StatusInfo>;
@@ -211,14 +211,14 @@ class Connectivity : public Mesh {
   };
   std::vector<Left> left_;
   void find_data_of_default_traits();
-  /// What OpenMesh's default traits keep at each edge and halfedge: nothing.
+  /// What OpenMesh's default traits store at each edge and halfedge: nothing.
   const OpenMesh::BaseProperty* no_data_[2] = {nullptr, nullptr};
 
   std::unique_ptr<OpenMesh::PolyConnectivity> owned_;
   Attachment attachment_;
   Journal log_;
   // Dead elements that hold the protected properties of live ones: OpenMesh's property base class can copy
-  // between the elements of a mesh only.
+  // only between elements of one mesh.
   std::vector<int> spares_[3];
   Status* vertex_status_ = nullptr;
   Status* edge_status_ = nullptr;
@@ -228,7 +228,7 @@ class Connectivity : public Mesh {
   OpenMesh::FPropHandleT<Anchor> face_anchors_;
   std::vector<Anchor>* anchors_ = nullptr;
   std::vector<Links> links_;
-  std::unique_ptr<Watch> watch_;  // of a mesh of the user's
+  std::unique_ptr<Watch> watch_;  // if the mesh is a user's
 };
 
 }  // namespace multimesh::openmesh

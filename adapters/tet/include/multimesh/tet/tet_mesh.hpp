@@ -24,9 +24,9 @@ namespace multimesh::tet {
 ///
 /// A dart is tetrahedron << 5 | permutation: position i of the ordering is local corner p[i].
 ///
-/// Facet i of the input is tetrahedron i, vertex j is vertex j. Slots of dead elements are used again by
-/// later splits. Edges and faces have no storage: their indices (6 t + e, 4 t + f of their lowest
-/// tetrahedron) are stable only until an operation touches their star.
+/// Facet i of the input is tetrahedron i, vertex j is vertex j. Slots of dead elements are reused by later
+/// splits. Edges and faces have no storage: their indices (6 t + e, 4 t + f of their lowest tetrahedron) are
+/// stable only until an operation touches their star.
 ///
 /// Source of the layout: glue permutations as in Regina's triangulations (Burton 2004).
 class TetMesh final : public Mesh {
@@ -56,7 +56,7 @@ class TetMesh final : public Mesh {
   static Index tet(Dart d) { return code(d) >> 5; }
 
   // --- neighbourhoods
-  /// Of an edge (a,b,x0,x1): in turn, (a,b,x0,x1), (a,b,x1,x2), ..; from boundary to boundary if it has one.
+  /// Of an edge (a,b,x0,x1): in order, (a,b,x0,x1), (a,b,x1,x2), ..; from boundary to boundary if any.
   void star(Dart d, int k, DartBuffer& out) const override;
   bool is_boundary(Dart d, int k) const override;
   bool is_locked(Index v) const override { return flags_[v] & locked; }
@@ -92,7 +92,7 @@ class TetMesh final : public Mesh {
   Property<T>& add_tet_property(std::string name) {
     return add<T>(tet_properties_, std::move(name), tets_.size());
   }
-  /// Null if there is none of that name and type.
+  /// Null if there is no property of that name and type.
   template <class T>
   Property<T>* vertex_property(std::string_view name) const {
     return dynamic_cast<Property<T>*>(find(vertex_properties_, name));
@@ -104,10 +104,10 @@ class TetMesh final : public Mesh {
   /// \throw UsageError for a property of another mesh, or that is removed
   void remove_property(const PropertyBase& property);
 
-  /// A column on few of the edges (k = 1) or faces (k = 2); where it has no value it costs nothing. Halves of
-  /// a split simplex keep its value. Where a collapse makes one of two, it has the value of the one that has
-  /// one; of two values, that of the simplex in a mesh below if the other is in none, else that at the
-  /// surviving vertex, or what `merge` makes of them.
+  /// A column on few of the edges (k = 1) or faces (k = 2); simplices without a value cost nothing. Halves of
+  /// a split simplex keep its value. Where a collapse makes one simplex of two, it has the value of the one
+  /// that has any; of two values, that of the simplex in a mesh below if the other is in none, else that at
+  /// the surviving vertex, or what `merge` makes of both.
   template <class T>
   SimplexProperty<T>& add_simplex_property(int k, std::string name,
                                            typename SimplexProperty<T>::Merge merge = {}) {
@@ -277,7 +277,7 @@ class TetMesh final : public Mesh {
   LargeArray<Tet> tets_;
   LargeArray<std::uint32_t> vertex_tet_;  // a dart at the vertex, or no_dart's code
   LargeArray<std::uint8_t> flags_;
-  std::vector<Index> free_tets_, free_vertices_;    // to be used again
+  std::vector<Index> free_tets_, free_vertices_;    // to be reused
   std::vector<Index> freed_tets_, freed_vertices_;  // the same, once the journal is forgotten
   Properties vertex_properties_, tet_properties_;
   std::vector<std::unique_ptr<SimplexPropertyBase>> simplex_properties_;
