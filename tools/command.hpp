@@ -10,11 +10,11 @@ enum ExitCode : int { done = 0, refused = 1, usage = 2 };
 /// Each adds its subcommand, and sets `exit_code` when it has run.
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_decimate_command(CLI::App& app, int& exit_code);
-/// Says that it is not there in a build without multimesh::improve.
+/// In a build without multimesh::improve, the command only says that it is missing.
 void add_improve_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 void add_remesh_command(CLI::App& app, int& exit_code);
-/// Says that it is not there in a build without TetGen.
+/// In a build without TetGen, the command only says that it is missing.
 void add_tetrahedralize_command(CLI::App& app, int& exit_code);
 void add_validate_command(CLI::App& app, int& exit_code);
 

@@ -85,7 +85,7 @@ void print(const CompareArguments& a, const SurfaceComparison& c) {
   table.line("  of its own chart", t.outside_own);
 }
 
-/// The counts of one side as reports have them: of its meshes and of its triangles.
+/// The counts of one side, in the form of the reports: of its meshes and of its triangles.
 Json side(Json counts) {
   Json meshes = counts["meshes"];
   counts.erase("meshes");

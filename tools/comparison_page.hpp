@@ -10,7 +10,7 @@
 namespace multimesh::tools {
 
 /// A page that shows two surfaces side by side, with the errors of `comparison` per vertex, which it must
-/// have. `numbers` are shown, with those of the comparison.
+/// have. Shows `numbers`, together with those of the comparison.
 HtmlReport comparison_page(const std::string& title, HtmlMesh before, HtmlMesh after,
                            SurfaceComparison comparison, Json numbers);
 

@@ -38,7 +38,7 @@ bool same_file(const fs::path& x, const fs::path& y) {
   return fs::weakly_canonical(x, error) == fs::weakly_canonical(y, error);
 }
 
-/// All that may be written.
+/// All files that may be written.
 std::vector<std::string> outputs(const DecimateArguments& a) {
   std::vector<std::string> paths{a.output};
   for (std::size_t level = 1; level <= a.levels.size(); ++level)
@@ -60,7 +60,7 @@ void check_paths(const DecimateArguments& a) {
                      ": would replace the input, with which it is to be compared; choose another name");
 }
 
-/// Of the whole run, for the reports.
+/// State of the whole run, for the reports.
 class Run {
  public:
   Run(const DecimateArguments& a, RunReport& report)
@@ -117,7 +117,7 @@ void Run::decimate() {
   seconds_ = report_.seconds();
 }
 
-/// Says if the texture was lost, and when.
+/// Reports whether the texture was lost, and when.
 void Run::check_texture() {
   if (!wants_texture_check()) return;
   files::SurfaceFile input = files::read_surface(a_.input);
@@ -128,7 +128,7 @@ void Run::check_texture() {
   file_.warnings.push_back(in_words(*loss, result_));
 }
 
-/// Against the input, which is read again: while the surface was decimated, its memory was better used.
+/// Compares with the input, which is read again: its memory was not kept during decimation.
 void Run::measure(Json& j) {
   const files::SurfaceFile input = files::read_surface(a_.input, {a_.weld, a_.follow_paths});
   SurfaceComparison comparison =

@@ -8,13 +8,13 @@
 namespace multimesh::tools {
 
 const char* to_string(DecimateResult::Stop stop);
-/// Whether every target number of faces that was given was met.
+/// Whether all given target numbers of faces were reached.
 bool target_reached(const DecimateOptions& o, const DecimateResult& r);
 
-/// What was asked and what was done; docs/decimation.md has the fields.
+/// What was requested and what was done; docs/decimation.md has the fields.
 Json decimation_json(const DecimateArguments& a, const DecimateOptions& o, const DecimateResult& r);
 
-/// Of the reports, and as a warning.
+/// For the reports, and as a warning.
 Json to_json(const TextureLoss& loss);
 std::string in_words(const TextureLoss& loss, const DecimateResult& result);
 

@@ -17,7 +17,7 @@ namespace multimesh::tools {
 
 namespace {
 
-/// Makes one point of those that are at one place.
+/// Joins points at one place.
 void weld(io::SimplexSoup& soup, double tolerance, std::vector<std::string>& warnings) {
   const std::vector<Index> first = io::coincident_points(soup.points, tolerance);
   std::size_t joined = 0;
@@ -28,7 +28,8 @@ void weld(io::SimplexSoup& soup, double tolerance, std::vector<std::string>& war
     for (Index& v : block.corners) v = first[v];
 }
 
-/// Objects and groups of surface files name what they enclose; groups of other files their surfaces only.
+/// Objects and groups of surface files name what they enclose; groups of other files name only their
+/// surfaces.
 tetgen::TriangleNames triangle_names(const files::DomainFile& file) {
   tetgen::TriangleNames names;
   names.tags = file.soup.simplices[2].tags;
@@ -47,7 +48,7 @@ void add_groups(int dimension, const std::vector<tetgen::Naming::Tag>& tags,
   }
 }
 
-/// Patches whose triangles are in several groups of the file stay in them, under whatever tag they have now.
+/// Keeps patches whose triangles are in several groups of the file in these groups, under their present tags.
 void keep_groups(const io::SimplexSoup& soup, const tetgen::Tetrahedralization& filled, FilledSurface& out) {
   std::map<TaggedTetrahedra::Tag, TaggedTetrahedra::Tag> before;  // by the tag that a face has now
   for (std::size_t f = 0; f < filled.faces.size(); ++f)
@@ -96,7 +97,7 @@ FilledSurface with_names(tetgen::Tetrahedralization filled, files::DomainFile& f
 
 namespace {
 
-/// What a user can do when TetGen fails on a surface in which it finds no fault.
+/// Advice for the user when TetGen fails on a surface in which it finds no fault.
 std::string way_out(const tetgen::WorkerError& e) {
   using Reason = tetgen::WorkerError::Reason;
   const char* const other_triangles =

@@ -10,14 +10,14 @@
 
 namespace multimesh::tools {
 
-/// Tetrahedra of a surface, as they are to be written.
+/// Tetrahedra of a surface, ready to be written.
 struct FilledSurface {
   TaggedTetrahedra tets;
   files::DomainGroups groups;  ///< of regions and patches, and the file's of curves and points
 };
 
-/// Fills what the triangles of a file enclose; points within the tolerance, a length, are one. Warnings are
-/// added to those of the file. \throw InputError, naming the file
+/// Fills what the triangles of a file enclose; points within the tolerance, a length, are joined. Warnings
+/// are added to those of the file. \throw InputError, naming the file
 FilledSurface fill_surface(files::DomainFile& file, const tetgen::TetrahedralizeOptions& options,
                            double weld_tolerance = 0);
 

@@ -17,7 +17,7 @@ std::string HelpFormat::options_of(const CLI::App& app, const std::string& group
 std::string HelpFormat::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
   if (app->get_parent() == nullptr || app->get_name().empty()) return Formatter::make_help(app, name, mode);
   std::string text = app->get_description() + "\n" + make_usage(app, name) + make_positionals(app);
-  // Groups of options of which some are needed.
+  // Groups of options of which some are required.
   for (const CLI::App* needed : app->get_subcommands({}))
     text +=
         "\n" + needed->get_group() + ": " + needed->get_description() + "\n" + options_of(*needed, "Options");

@@ -5,7 +5,7 @@
 
 namespace multimesh::tools {
 
-/// Help of a command: what it is told to reach stands first, then its other options by groups.
+/// Help of a command: its targets come first, then its other options by groups.
 class HelpFormat : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;

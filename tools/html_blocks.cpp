@@ -26,7 +26,7 @@ class Numbers {
   std::string bytes_;
 };
 
-/// One block of what `fill` adds.
+/// One block with the numbers that `fill` adds.
 template <class Fill>
 void write_filled(io::AtomicFile& file, const std::string& id, const Fill& fill) {
   Numbers numbers;

@@ -10,7 +10,7 @@
 
 namespace multimesh::tools {
 
-/// Where the meshes of a page are in space: single precision is not enough for coordinates far from the
+/// The position of a page's meshes in space: single precision is not enough for coordinates far from the
 /// origin.
 struct HtmlFrame {
   Vec3 center{0, 0, 0};
@@ -19,10 +19,11 @@ struct HtmlFrame {
   Vec3 operator()(const Vec3& p) const { return (p - center) / size; }
 };
 
-/// Centred, and of size 1 for the diagonal of the bounding box of both, by the positions that triangles have.
+/// Centred, and with size 1 for the diagonal of the bounding box of both, over the positions used by
+/// triangles.
 HtmlFrame common_frame(const TexturedTriangles& before, const TexturedTriangles& after);
 
-/// A <script> of text that is no script, which the page finds by its id. \pre no `<` in the text.
+/// A <script> element with text that is not a script; the page finds it by its id. \pre no `<` in the text.
 void write_block(io::AtomicFile& file, const std::string& id, std::string_view text);
 
 /// Numbers of four bytes, little-endian, in base64, as a block.

@@ -25,7 +25,7 @@ HtmlMesh html_mesh(const files::SurfaceFile& file) {
 
 namespace {
 
-/// Told apart by eye, for a while.
+/// Distinguishable by eye, for the first few.
 constexpr std::array<std::array<float, 3>, 6> colors = {{{0.62F, 0.69F, 0.80F},
                                                          {0.86F, 0.62F, 0.42F},
                                                          {0.55F, 0.73F, 0.52F},

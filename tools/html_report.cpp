@@ -17,7 +17,7 @@ namespace multimesh::tools {
 
 namespace {
 
-/// Scripts and styles of the page itself, images inside it, and nothing from anywhere.
+/// Allows only scripts and styles of the page itself and embedded images, and nothing from elsewhere.
 constexpr std::string_view head = R"(<!doctype html>
 <html lang="en">
 <head>
@@ -47,7 +47,7 @@ void check(const HtmlReport& report) {
   }
 }
 
-/// Which meshes the page holds; a note says which it does not.
+/// Which meshes the page contains; a note says which it does not.
 struct Contents {
   bool before, after;
 };

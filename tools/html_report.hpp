@@ -30,7 +30,7 @@ struct HtmlReport {
   HtmlMesh before = {};  ///< without triangles: there is only one mesh
   HtmlMesh after = {};
   std::vector<HtmlError> errors = {};
-  /// Shown as tables. Known fields: `before` and `after`, as to_json makes them of a surface; `comparison`;
+  /// Shown as tables. Known fields: `before` and `after`, as made by to_json for a surface; `comparison`;
   /// `seconds`, `stopped_by`, `warnings`. All others are shown by their names.
   Json numbers = Json::object();
 };
@@ -38,11 +38,11 @@ struct HtmlReport {
 /// False in a build without the viewer (MULTIMESH_WITH_VIEWER).
 bool can_write_html_report();
 
-/// \throw InputError saying how to get the viewer, in a build without it. For a program to call before the
+/// \throw InputError saying how to get the viewer, in a build without it. Programs should call it before the
 /// work.
 void require_html_report();
 
-/// One file that needs nothing else: three.js, meshes and textures are in it. Complete or not at all.
+/// Writes one file that needs nothing else: three.js, meshes and textures are in it. Complete or not at all.
 /// \return the notes on the page: what it does not show, and why.
 /// \throw InputError if it cannot be written, or as require_html_report(). \throw UsageError for an error or
 /// a material list of the wrong length, or an error that is not a number.

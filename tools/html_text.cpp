@@ -5,7 +5,7 @@ namespace multimesh::tools {
 
 namespace {
 
-/// Through JSON, which knows what UTF-8 is.
+/// Through JSON, whose library validates UTF-8.
 std::string valid_utf8(std::string_view text) {
   const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
   return Json::parse(quoted).get<std::string>();
@@ -41,7 +41,7 @@ std::string html_escaped(std::string_view text) {
 
 std::string json_for_html(const Json& j) {
   std::string text;
-  // Outside of strings JSON has no `<`.
+  // Outside strings, JSON has no `<`.
   for (const char c : j.dump(-1, ' ', false, Json::error_handler_t::replace)) {
     if (c == '<') {
       text += "\\u003c";

@@ -8,11 +8,11 @@
 
 namespace multimesh::tools {
 
-/// Text as it stands in HTML, in an element or between quotes. What is not UTF-8 becomes U+FFFD.
+/// Text escaped for HTML, in an element or between quotes. Invalid UTF-8 becomes U+FFFD.
 std::string html_escaped(std::string_view text);
 
-/// JSON as the content of a <script>: no `<` in it, so nothing that begins or ends a tag or a comment.
-/// What is not UTF-8 becomes U+FFFD.
+/// JSON as the content of a <script>: without `<`, so nothing begins or ends a tag or a comment. Invalid
+/// UTF-8 becomes U+FFFD.
 std::string json_for_html(const Json& j);
 
 }  // namespace multimesh::tools

@@ -10,13 +10,13 @@
 
 namespace multimesh::tools {
 
-/// The textures of a page: each file once, however many materials have it.
+/// The textures of a page: each file once, however many materials use it.
 class HtmlTextures {
  public:
   /// `limit`: bytes of all data URIs together.
   explicit HtmlTextures(std::size_t limit) : limit_(limit) {}
 
-  /// Its number. A file that cannot be shown has one too, with an empty URI and, unless it is missing (see
+  /// Its number. A file that cannot be shown also has one, with an empty URI and, unless it is missing (see
   /// read_materials), a note.
   std::size_t number(const std::filesystem::path& file);
 

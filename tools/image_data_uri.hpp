@@ -7,16 +7,16 @@
 
 namespace multimesh::tools {
 
-/// Image files larger than this are not put into a page.
+/// Image files larger than this are not embedded in a page.
 constexpr std::size_t max_image_bytes = std::size_t{16} << 20U;
 
-/// A file as a `data:` URI, or why it is none.
+/// A file as a `data:` URI, or the reason why there is none.
 struct ImageDataUri {
   std::string uri;      ///< empty: none
   std::string problem;  ///< empty: none
 };
 
-/// Formats that every browser shows: PNG, JPEG, WebP, GIF, BMP, told by their content. Never throws for a
+/// Formats that every browser shows: PNG, JPEG, WebP, GIF, BMP, recognized by content. Never throws for a
 /// file that is missing or cannot be read: that is a problem to be noted.
 ImageDataUri image_data_uri(const std::filesystem::path& path, std::size_t limit = max_image_bytes);
 

@@ -101,7 +101,7 @@ std::string number(double x) {
   return text.str();
 }
 
-/// Whether the edges came to the length, in a sentence; empty if all did.
+/// Whether the edges reached the length, in a sentence; empty if all did.
 std::string length_missed(double length, const EdgeLengths& m) {
   if (m.too_long == 0 && m.share_in_range >= 0.9) return {};
   return "the edge length was missed: " + number(100 * m.share_in_range) +
@@ -143,7 +143,7 @@ std::vector<std::string> reasons(const ImproveArguments& a, const ImproveResult&
   return list;
 }
 
-/// One line on stderr that is written over and over; nothing where stderr is no terminal, unless asked for.
+/// One line on stderr that is overwritten repeatedly; nothing if stderr is not a terminal, unless requested.
 void show_progress(ImproveArguments& a) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   if (!terminal && !a.progress) return;

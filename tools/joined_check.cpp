@@ -10,7 +10,7 @@ namespace multimesh::tools {
 
 namespace {
 
-/// By how far repeated rounding may have displaced points.
+/// How far repeated rounding may have displaced points.
 double rounding_of(const TaggedTetrahedra& tets) {
   double largest = 0;
   for (const auto& p : tets.points)

@@ -12,9 +12,9 @@
 
 namespace multimesh::tools {
 
-// Each compares the result with what it was before. If they differ, that is a fault of ours: the result is
-// written to a path beside the output, and an InputError names it and what differs. An older file at the
-// output's path is left alone then.
+// Each compares the result with the input. If they differ, that is our bug: the result is written to a path
+// beside the output, and an InputError names that path and the differences. An older file at the output's
+// path is left unchanged then.
 
 /// A domain as plain lists, and their mesh, joined as a reader of the file will join them.
 struct DomainResult {
@@ -23,13 +23,13 @@ struct DomainResult {
   explicit DomainResult(const TetDomain& domain) : lists(domain.tagged()), topology(topology_of(lists)) {}
 };
 
-/// Writes a domain, if it has the topology, boundary and volumes that it had before. `displacement`: by how
-/// far points of the surface may have been moved on purpose. \return as files::write_domain()
+/// Writes a domain, if its topology, boundary and volumes are those of the input. `displacement`: how far
+/// points of the surface may have been moved on purpose. \return as files::write_domain()
 std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output, const TetTopology& before,
                                             DomainResult after, const files::DomainGroups& groups,
                                             const files::DomainWriteOptions& options,
                                             double displacement = 0);
-/// Writes a surface, if it has the topology that it had before. \return as files::write_surface()
+/// Writes a surface, if its topology is that of the input. \return as files::write_surface()
 std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output,
                                             const SurfaceTopology& before, const TexturedSurface& surface,
                                             const files::SurfaceFile& file);

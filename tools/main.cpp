@@ -14,8 +14,8 @@
 
 namespace {
 
-/// Large buffers of one phase of the work must not stay for the next: without a fixed threshold, glibc keeps
-/// them in its heap after the first one was freed.
+/// Returns large buffers of one phase of the work before the next phase: without a fixed threshold, glibc
+/// keeps them in its heap after the first one was freed.
 void give_memory_back() {
 #ifdef M_MMAP_THRESHOLD
   mallopt(M_MMAP_THRESHOLD, 1 << 20);

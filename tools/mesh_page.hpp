@@ -6,7 +6,7 @@
 
 namespace multimesh::tools {
 
-// Each has the numbers of the report as they are by now.
+// Each uses the numbers that the report has so far.
 
 /// Shows one mesh.
 void show_mesh(RunReport& report, HtmlMesh mesh, const std::string& path);

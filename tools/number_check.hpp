@@ -6,8 +6,8 @@
 
 namespace multimesh::tools {
 
-/// An option's value is a number for which `holds`; else the message says what it must be. `type`: how the
-/// value is called in the help.
+/// Requires that an option's value is a number for which `holds`; otherwise the message says what it must be.
+/// `type`: the name of the value in the help.
 inline CLI::Validator number(bool (*holds)(double), const std::string& must_be, const std::string& type) {
   const auto check = [=](std::string& s) {
     double x = 0;

@@ -32,7 +32,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 Json given_value(const CLI::Option& option, const std::string& name) {
   const auto& given = option.results();
   const bool is_flag = option.get_expected_max() == 0;
-  // Of `!--no-weld`, the value is that of what it turns off.
+  // For `!--no-weld`, the value is that of the option that it turns off.
   if (is_flag) return (given.back() == "true") != contains(option.get_fnames(), name);
   if (option.get_expected_max() == 1) return value_of(given.back());
   Json list = Json::array();

@@ -7,8 +7,8 @@
 
 namespace multimesh::tools {
 
-/// The options of a command that was parsed, by their names with underscores: those that were given, and
-/// those that have a default. Not where files are.
+/// The options of a parsed command, by their names with underscores: those that were given, and those that
+/// have a default. Without paths of files.
 Json option_values(const CLI::App& command);
 
 }  // namespace multimesh::tools

@@ -124,7 +124,7 @@ void warn_of_lengths(const RemeshArguments& a, const RemeshResult& r, std::vecto
 
 namespace {
 
-/// Against the input, which is read again.
+/// Compares with the input, which is read again.
 void show(const RemeshArguments& a, const TexturedSurface& surface, RunReport& report) {
   const files::SurfaceFile input = files::read_surface(a.input, {a.weld, a.follow_paths});
   std::vector<Index> source;

@@ -24,7 +24,7 @@ namespace multimesh::tools {
 namespace {
 
 constexpr const char* group = "Tetrahedra";
-/// Of the volume of a region, above which a change is worth a warning.
+/// Share of the volume of a region above which a change causes a warning.
 constexpr double much_of_volume = 0.005;
 
 void refuse_options(const RemeshArguments& a, bool tetrahedra) {
@@ -90,7 +90,7 @@ void warn_of_volumes(const TetTopology& before, const TetTopology& after,
   }
 }
 
-// Nothing keeps parts of the surface from coming together that are nearer to each other than the length.
+// Nothing prevents parts of the surface that are nearer to each other than the length from coming together.
 void warn_of_contact(const TaggedTetrahedra& lists, std::vector<std::string>& warnings) {
   const std::size_t n = hanging_points(lists).size();
   if (n > 0)

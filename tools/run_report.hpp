@@ -13,7 +13,7 @@ namespace multimesh::tools {
 
 struct HtmlReport;
 
-/// Where the reports of a run go; empty: there is none.
+/// Where the reports of a run are written; empty: there is none.
 struct ReportOptions {
   std::string json;  ///< "-" is standard output
   std::string html;
@@ -21,34 +21,34 @@ struct ReportOptions {
 
 /// Adds --report and --report-html. `page`: what the latter shows.
 void add_report_options(CLI::App& command, ReportOptions& options, const std::string& page);
-/// Adds --json as it was before --report, hidden: as a flag that prints the report, or with the file's name.
+/// Adds the old --json, hidden: as a flag that prints the report, or with the file's name.
 void add_old_json_flag(CLI::App& command, ReportOptions& options);
 void add_old_json_file(CLI::App& command, ReportOptions& options);
 
-/// What a command says about its run: warnings on standard error, and the same in the reports. Of every
-/// report are `command`, `version`, `inputs`, `outputs`, `options`, `warnings` and `seconds`; docs/report.md.
+/// What a command reports about its run: warnings on standard error, and the same in the reports. Every
+/// report has `command`, `version`, `inputs`, `outputs`, `options`, `warnings` and `seconds`; docs/report.md.
 class RunReport {
  public:
   using Paths = std::vector<std::string>;
 
-  /// For a command to make before its work. \throw InputError if a report cannot be written, or would replace
-  /// a file of this run
+  /// Create it before the work. \throw InputError if a report cannot be written, or would replace a file of
+  /// this run
   RunReport(const CLI::App& command, ReportOptions options, Paths inputs, Paths outputs = {});
   ~RunReport();
 
   bool wanted() const { return !options_.json.empty() || wants_page(); }
   bool wants_page() const { return !options_.html.empty(); }
-  /// Then nothing else may be printed there.
+  /// If so, nothing else may be printed there.
   bool is_printed() const { return options_.json == "-"; }
-  /// Since it was made.
+  /// Since its construction.
   double seconds() const;
 
-  /// The fields that the command has of its own; may have `seconds`, and more `options`.
+  /// The command's own fields; may have `seconds`, and more `options`.
   Json& json() { return *json_; }
-  /// The page. To its numbers are added what every report has.
+  /// The page. The common fields of all reports are added to its numbers.
   void show(HtmlReport page);
 
-  /// Writes the reports. Prints the warnings unless told to be quiet, and what of the page is left out.
+  /// Writes the reports. Prints the warnings unless `quiet`, and what is left out of the page.
   /// \throw InputError
   void finish(std::vector<std::string> warnings, bool quiet = false);
 

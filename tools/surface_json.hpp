@@ -18,7 +18,7 @@ Json to_json(const SurfaceReport& report);
 Json to_json(const MeshReport& mesh);
 Json to_json(const SurfaceTopology& joined);
 
-/// Indented. File and material names need not be UTF-8: what is not becomes U+FFFD.
+/// Indented. File and material names need not be UTF-8: invalid bytes become U+FFFD.
 std::string to_text(const Json& j);
 
 }  // namespace multimesh::tools

@@ -72,7 +72,7 @@ void add_names(const std::vector<io::SimplexSoup::Group>& groups, Json& j) {
   }
 }
 
-/// TetGen takes the length as a volume; what is longer after that is split here.
+/// TetGen takes the length as a volume; edges that are still longer are split here.
 void split_longer(TetDomain& domain, double length, const TetrahedralizeArguments& a) {
 #ifdef MULTIMESH_WITH_IMPROVE
   if (length > 0)
@@ -82,7 +82,7 @@ void split_longer(TetDomain& domain, double length, const TetrahedralizeArgument
 #endif
 }
 
-/// What the mesh misses of the sizes that were asked for.
+/// Which of the requested sizes the mesh misses.
 std::vector<std::string> missed(const TaggedTetrahedra& t, const tetgen::TetrahedralizeOptions& options) {
   return tetgen::missed_bounds({t.points, t.tets}, t.triangles, options);
 }
@@ -128,7 +128,7 @@ void run(TetrahedralizeArguments& a, RunReport& report) {
 
 namespace {
 
-/// As a check of an option: what is wrong with a text that this cannot parse.
+/// As a check of an option: says what is wrong with a text that `parse` rejects.
 template <class Parse>
 auto parsed_by(Parse parse) {
   return [parse](const std::string& text) -> std::string {

@@ -24,10 +24,10 @@ struct ValidateArguments {
   ReportOptions report;
 };
 
-/// Facts to know, and problems, which make the file invalid.
+/// Facts, and problems; problems make the file invalid.
 struct Findings {
   std::vector<std::string> facts, problems;
-  std::vector<std::string> warnings;  ///< of reading; among the facts
+  std::vector<std::string> warnings;  ///< of the reader; also among the facts
   HtmlMesh page = {};
 
   explicit Findings(std::vector<std::string> of_reading)
@@ -41,7 +41,7 @@ struct Findings {
   }
 };
 
-/// Triangles of no area, by their positions.
+/// Triangles without area, by their positions.
 std::size_t count_flat(const TexturedTriangles& t) {
   std::size_t flat = 0;
   for (const auto& c : t.triangles) {
@@ -90,7 +90,7 @@ Findings examine(files::DomainFile& file, bool page) {
   return f;
 }
 
-/// Coincident vertices are a problem where nothing but a missing link tells them apart.
+/// Coincident vertices are a problem if only a missing link separates them.
 void add_weld(const io::SurfaceWeldReport& weld, Findings& f) {
   f.add(weld.redundant,
         "vertices repeat another one, so that the surface comes apart there; they are joined");

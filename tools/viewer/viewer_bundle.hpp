@@ -6,7 +6,7 @@
 
 namespace multimesh::tools {
 
-/// What every report page holds besides its data, in pieces to be written one after the other.
+/// The contents of every report page besides its data, in pieces to be written one after the other.
 struct ViewerBundle {
   std::span<const std::string_view> page;    ///< HTML inside <body>
   std::span<const std::string_view> script;  ///< one script, three.js included; has no `</script`
