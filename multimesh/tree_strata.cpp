@@ -45,7 +45,7 @@ Freedom TreeStrata::freedom(Dart vertex, std::array<Dart, 2>& line) {
   return n == 0 ? Freedom::surface : Freedom::line;
 }
 
-// In every mesh the vertex has as many copies as each of its two edges, and no curve ends there.
+// In every mesh the vertex has as many copies as each of its two edges; no curve ends there, and it is no point.
 bool TreeStrata::runs_through(Dart vertex, const EdgeKind& kind) {
   copies_.collect(tree_, node_, vertex, 0);
   for (const NodeId n : tree_.nodes()) {
@@ -54,7 +54,7 @@ bool TreeStrata::runs_through(Dart vertex, const EdgeKind& kind) {
     const std::span<const Copy> here = copies_.of(n);
     const Mesh& mesh = tree_.mesh(n);
     for (const Copy& c : here)
-      if (mesh.is_locked(mesh.vertex(c.dart))) return false;
+      if (mesh.dimension() == 0 || mesh.is_locked(mesh.vertex(c.dart))) return false;
     if (mesh.dimension() == 1) {
       if (here.size() != of_edge) return false;
       for (const Copy& c : here)

@@ -42,6 +42,8 @@ Json to_json(const DomainReport& r) {
   j["patches"] = tags_json(r.patches, "triangles");
   j["curves"] = r.curves ? to_json(*r.curves) : Json();
   j["curve_tags"] = tags_json(r.curve_tags, "edges");
+  j["fixed_points"] = r.fixed_points;
+  j["fixed_point_tags"] = tags_json(r.fixed_tags, "points");
   return j;
 }
 
@@ -78,6 +80,10 @@ void print_domain(const Json& j) {
     std::cout << "  curves:     " << c["edges"] << " edges in " << c["components"] << " chains and loops, "
               << c["end_points"] << " ends of chains\n";
     print_tags(j["curve_tags"], "tags", "edges");
+  }
+  if (const Json& points = j["fixed_points"]; points != 0) {
+    std::cout << "  points:     " << points << " fixed\n";
+    print_tags(j["fixed_point_tags"], "tags", "points");
   }
 }
 

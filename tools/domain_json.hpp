@@ -7,7 +7,8 @@
 namespace multimesh::tools {
 
 /// {"tetrahedra": .., "regions": [..], "surface": .., "patches": [..], "curves": .., "curve_tags": [..],
-/// "quality": ..}; surface and curves are null where there is none.
+/// "fixed_points": .., "fixed_point_tags": [..], "quality": ..}; surface and curves are null where there is
+/// none.
 Json to_json(const DomainReport& report);
 /// The same in lines, to standard output.
 void print_domain(const Json& j);

@@ -80,8 +80,10 @@ FilledSurface with_names(tetgen::Tetrahedralization filled, files::DomainFile& f
   t.patches = naming.face_tags;
   t.edges.corners = file.soup.simplices[1].corners;
   t.edge_tags = file.soup.simplices[1].tags;
+  t.edge_flags = file.soup.simplices[1].flags;
   t.fixed = file.soup.simplices[0].corners;
   t.fixed_tags = file.soup.simplices[0].tags;
+  t.fixed_flags = file.soup.simplices[0].flags;
   t.triangles.vertices = t.edges.vertices = static_cast<Index>(filled.points.size());
   t.points = std::move(filled.points);
   t.tets = std::move(filled.tets);

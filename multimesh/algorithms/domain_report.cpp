@@ -58,6 +58,11 @@ DomainReport report(const TetDomain& domain, TetTopology joined) {
     for (Index e = 0; e < curves.capacity(1); ++e)
       if (curves.is_live(1, e)) ++r.curve_tags[domain.curve_tag(e)];
   }
+  if (const auto p = domain.fixed_points()) {
+    const Mesh& points = domain.tree().mesh(*p);
+    for (Index v = 0; v < points.capacity(0); ++v)
+      if (points.is_live(0, v)) ++r.fixed_points, ++r.fixed_tags[domain.fixed_tag(v)];
+  }
   return r;
 }
 

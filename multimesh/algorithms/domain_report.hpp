@@ -26,6 +26,8 @@ struct DomainReport {
   std::map<TetDomain::Tag, std::size_t> patches;  ///< triangles of the surface
   std::optional<MeshReport> curves;
   std::map<TetDomain::Tag, std::size_t> curve_tags;  ///< edges of the curves
+  std::size_t fixed_points = 0;
+  std::map<TetDomain::Tag, std::size_t> fixed_tags;  ///< of those
 };
 
 /// Cost: sorting

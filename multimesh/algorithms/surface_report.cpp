@@ -11,7 +11,7 @@ namespace multimesh {
 
 namespace {
 
-/// The vertices that some edges use, and the pieces these make.
+/// The vertices that are in facets, and the pieces these make.
 class Pieces {
  public:
   explicit Pieces(std::size_t n) : sets_(n), used_(n, false) {}
@@ -49,6 +49,8 @@ MeshReport report(const Mesh& mesh) {
       for (const Dart end : {d, mesh.switch_dart(d, 0)}) r.boundary += mesh.is_boundary(end, 0);
     }
   }
+  for (Index v = 0; mesh.dimension() == 0 && v < mesh.capacity(0); ++v)
+    if (mesh.is_live(0, v)) pieces.join(v, v);
   if (mesh.dimension() == 2)
     for (Index f = 0; f < mesh.capacity(2); ++f) r.faces += mesh.is_live(2, f);
   r.vertices = pieces.used();

@@ -62,17 +62,19 @@ struct TetDomainReport {
 
 /// A simulation domain as a multimesh:
 ///
-///          tetrahedra               surface: the boundary, the interfaces between regions and the tagged
-///          /        \               triangles, one triangle mesh, cut where sheets meet; curves: edges of
-///          the
-///     surface      curves           surface at which not just two of its faces meet, or faces of different
-///                                   patches, or at an angle; and tagged edges. Both are there only if they
-///                                   have facets. Chains of curves end where they branch or their kind
-///                                   changes.
+///               tetrahedra
+///           /        |        \.
+///     surface     curves     fixed points
 ///
-/// Points where sheets or curves touch and that no mesh guards, and copies of one input point, are locked. At
-/// a point whose link is neither a sphere nor a disk, the cut also separates a few faces inside the material;
-/// they are not part of the surface, but of the root's boundary.
+/// Surface: the boundary, the interfaces between regions and the tagged triangles, one triangle mesh, cut
+/// where sheets meet. Curves: edges of the surface at which not just two of its faces meet, or faces of
+/// different patches, or at an angle; and tagged edges. Chains of curves end where they branch or their kind
+/// changes. Fixed points: those that are listed, those where sheets or curves touch and no other mesh guards
+/// that, and copies of one input point. Each of the three exists only if it has facets.
+///
+/// At a point whose link is neither a sphere nor a disk, the cut also separates a few faces inside the
+/// material; they are not part of the surface, but of the root's boundary. Copies are locked as well, since
+/// they are to be joined again.
 class TetDomain {
  public:
   using Point = Eigen::Vector3d;
@@ -87,8 +89,8 @@ class TetDomain {
   /// The current domain. Copies of one input point are one again, unless they have moved apart or a
   /// tetrahedron joins them.
   /// Triangles: the whole surface with its patches, except the part of the boundary that has tag 0 and was
-  /// not in the input. Edges: all curves with their tags. Fixed: the locked points. Interfaces, curves and
-  /// locked points that the input does not list are unlisted_simplex.
+  /// not in the input. Edges: all curves with their tags. Fixed: the fixed points. Interfaces, curves and
+  /// fixed points that the input does not list are unlisted_simplex.
   TaggedTetrahedra tagged() const;
 
   MultiMesh& tree();
@@ -100,6 +102,7 @@ class TetDomain {
   const tet::TetMesh& mesh() const;
   std::optional<NodeId> surface() const;
   std::optional<NodeId> curves() const;
+  std::optional<NodeId> fixed_points() const;
   const TetDomainReport& report() const;
 
   tet::Property<Point>& points();  ///< of the vertices of the root
@@ -116,10 +119,11 @@ class TetDomain {
   bool is_copied_edge(Dart edge) const;
   /// Whether cutting made several of this face: inside the domain, but in the boundary of the root.
   bool is_parted_face(Dart face) const;
-  Tag patch(Index triangle) const;  ///< of a triangle of the surface
-  Tag curve_tag(Index edge) const;  ///< of an edge of the curves
-  /// TetDomainFlag bits of a tetrahedron of the root, a triangle of the surface, an edge of the curves.
-  /// Halves of a split simplex have those of the whole. \pre dimension is 1 to 3
+  Tag patch(Index triangle) const;   ///< of a triangle of the surface
+  Tag curve_tag(Index edge) const;   ///< of an edge of the curves
+  Tag fixed_tag(Index point) const;  ///< of a fixed point
+  /// TetDomainFlag bits of a tetrahedron of the root, a triangle of the surface, an edge of the curves, a
+  /// fixed point. Halves of a split simplex have those of the whole. \pre dimension is 0 to 3
   std::uint8_t flags(int dimension, Index simplex) const;
 
   struct Data;  ///< private to the implementation

@@ -127,6 +127,8 @@ TYPED_TEST(AttachedMesh, KeepsChosenVerticesAsPoints) {
   for (const auto v : this->mesh_.vertices())
     if (chosen(v)) places[v] = this->mesh_.point(v);
   ASSERT_EQ(places.size(), count);
+  EXPECT_EQ(report(attached.tree().mesh(points)).vertices, count);
+  EXPECT_EQ(report(attached.tree().mesh(points)).components, count);
   std::size_t done = 0;
   for (const auto e : this->mesh_.edges())
     if (!this->mesh_.status(e).deleted())

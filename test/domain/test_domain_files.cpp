@@ -44,6 +44,7 @@ std::vector<long> topology(const TetDomain& d) {
     if (m)
       t.insert(t.end(),
                {static_cast<long>(m->components), m->euler_characteristic, static_cast<long>(m->boundary)});
+  t.push_back(static_cast<long>(r.fixed_points));
   return t;
 }
 
@@ -67,6 +68,7 @@ void storm(TetDomain& d, int wanted, std::mt19937& random) {
   for (int done = 0, tried = 0; done < wanted && tried < 20 * wanted; ++tried) {
     const auto nodes = d.tree().nodes();
     const NodeId n = nodes[random() % nodes.size()];
+    if (d.tree().mesh(n).dimension() == 0) continue;  // points have no edges
     const Dart e = random_dart(d.tree().mesh(n), random);
     switch (random() % 6) {
       case 0:

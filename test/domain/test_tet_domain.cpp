@@ -102,10 +102,8 @@ TEST(TetDomain, KeepsListedEdgesAndTellsWhatIsMissing) {
   const DomainReport r = report(d);
   EXPECT_EQ(r.curve_tags, (std::map<Tag, std::size_t>{{5, 2}}));
   EXPECT_EQ(r.curves->components, 1U);
-  // The curve touches the surface at its ends, where nothing but a label can hold it.
-  std::size_t locked = 0;
-  for (Index v = 0; v < d.mesh().capacity(0); ++v) locked += d.mesh().is_locked(v);
-  EXPECT_EQ(locked, 2U);
+  // The curve touches the surface at its ends, where nothing but a point can hold it.
+  EXPECT_EQ(r.fixed_points, 2U);
 }
 
 TEST(TetDomain, EndsCurvesWhereTheirTagChanges) {

@@ -20,6 +20,10 @@ Held::Held(const TetDomain& domain, const ImproveOptions& options)
   if (domain.curves()) hold_curves();
   for (Index v = 0; v < mesh_.capacity(0); ++v)
     if (mesh_.is_live(0, v) && mesh_.is_locked(v)) strata_[v] |= fixed;
+  const auto points = domain.fixed_points();
+  for (Index p = 0; points && p < domain.tree().mesh(*points).capacity(0); ++p)
+    if (const Mesh& mesh = domain.tree().mesh(*points); mesh.is_live(0, p))
+      strata_[mesh_.vertex(domain.tree().to_root(*points, mesh.dart_of(0, p)))] |= fixed;
 }
 
 bool Held::is_locked_tet(Index t) const {

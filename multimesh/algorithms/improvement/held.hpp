@@ -14,8 +14,8 @@ class Held {
   enum Stratum : std::uint8_t {
     on_face = 1,   ///< a held face contains the vertex
     on_curve = 2,  ///< a curve passes through it
-    fixed = 4,     ///< nothing may be done to it: locked, the end of a curve or of a copied edge, or where
-                   ///< curves meet
+    fixed = 4,     ///< nothing may be done to it: a point, locked, the end of a curve or of a copied edge, or
+                ///< where curves meet
   };
 
   Held(const TetDomain& domain, const ImproveOptions& options);

@@ -62,7 +62,7 @@ struct PeriodicDomain::Data {
     std::vector<Index> copies(glued.root_class.size(), 0);
     for (const Index c : glued.root_class) ++copies[c];
     for (Index v = 0; v < glued.root_class.size(); ++v)
-      if (copies[glued.root_class[v]] > 1) lock_vertex(tree.mesh(NodeId::root), v);
+      if (copies[glued.root_class[v]] > 1) tree.mesh(NodeId::root).set_locked(v, true);
   }
 
   /// Whether a face of the boundary of the tile is glued.

@@ -26,13 +26,6 @@ std::vector<T>& add_facet_values(Mesh& mesh, const std::string& name) {
   return openmesh::add_values(om, OpenMesh::FPropHandleT<T>(), name);
 }
 
-/// \pre outside of transactions
-inline void lock_vertex(Mesh& mesh, Index v) {
-  if (auto* tets = dynamic_cast<tet::TetMesh*>(&mesh)) return tets->set_locked(v, true);
-  auto& om = dynamic_cast<openmesh::Connectivity&>(mesh).openmesh();
-  om.status(OpenMesh::VertexHandle(static_cast<int>(v))).set_locked(true);
-}
-
 /// The vertices of a facet in the order that gives its orientation, dimension + 1 of them.
 inline void oriented_corners(const Mesh& mesh, Index facet, Index* out) {
   if (const auto* tets = dynamic_cast<const tet::TetMesh*>(&mesh)) {

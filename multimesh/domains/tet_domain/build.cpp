@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which faces of the tetrahedra are the surface, and which edges are curves.
+// Which faces of the tetrahedra are the surface, which edges are curves, and which points are fixed.
 #include "multimesh/build.hpp"
 
 #include <Eigen/Geometry>
@@ -55,24 +55,24 @@ std::size_t make_positive(const TaggedTetrahedra& input, Cut& cut) {
   return inverted;
 }
 
-/// Fixed points are locked, and known by their place in the list, the first one of a point.
+/// Per point of the input, its place in the list of fixed points: the first one, or no_index.
+std::vector<Index> places_of_fixed(const TaggedTetrahedra& input) {
+  std::vector<Index> place(input.points.size(), no_index);
+  for (std::size_t i = input.fixed.size(); i-- > 0;) place[input.fixed[i]] = static_cast<Index>(i);
+  return place;
+}
+
 void add_point_values(const TaggedTetrahedra& input, const std::vector<Index>& source, TetDomain::Data& out) {
-  out.fixed = &out.mesh->add_vertex_property<Index>("fixed");
   out.point_tags = &out.mesh->add_vertex_property<Tag>("tag");
-  out.fixed_tags = input.fixed_tags;
-  out.fixed_flags = input.fixed_flags;
-  std::vector<Index> place(input.points.size(), 0);
-  for (std::size_t i = input.fixed.size(); i-- > 0;) place[input.fixed[i]] = static_cast<Index>(i) + 1;
   std::vector<bool> used(input.points.size(), false);
   for (Index v = 0; v < source.size(); ++v) {
     used[source[v]] = true;
-    out.fixed->values[v] = place[source[v]];
     if (!input.point_tags.empty()) out.point_tags->values[v] = input.point_tags[source[v]];
-    if (place[source[v]] != 0) out.mesh->set_locked(v, true);
   }
+  const std::vector<Index> place = places_of_fixed(input);
   for (Index s = 0; s < used.size(); ++s) {
     out.report.unused_points += !used[s];
-    out.report.missing_points += !used[s] && place[s] != 0;
+    out.report.missing_points += !used[s] && place[s] != no_index;
   }
 }
 
@@ -274,11 +274,12 @@ std::size_t add_tagged_edges(const TaggedTetrahedra& input, const std::vector<In
   return static_cast<std::size_t>(std::count(found.begin(), found.end(), false));
 }
 
-/// Points that only a label can hold: where sheets touch and no curve goes through, and where a curve that
+/// Vertices that only a point can hold: where sheets touch and no curve goes through, and where a curve that
 /// does not run on the surface touches it.
-void lock_touching_points(TetDomain::Data& domain, const std::vector<Index>& source, const Curves& curves,
-                          double angle) {
-  if (!domain.surface || source.empty()) return;
+std::vector<bool> touching_points(const TetDomain::Data& domain, const std::vector<Index>& source,
+                                  const Curves& curves, double angle) {
+  std::vector<bool> touching(source.size(), false);
+  if (!domain.surface || source.empty()) return touching;
   const Mesh& surface = domain.tree->mesh(*domain.surface);
   std::vector<Index> fans(*std::max_element(source.begin(), source.end()) + std::size_t{1}, 0);
   for (Index v = 0; v < surface.capacity(0); ++v)
@@ -293,19 +294,20 @@ void lock_touching_points(TetDomain::Data& domain, const std::vector<Index>& sou
       }
   for (Index v = 0; v < source.size(); ++v) {
     const Index p = source[v];
-    if ((fans[p] > 1 && !on_curve[p]) || (fans[p] > 0 && on_free_curve[p])) domain.mesh->set_locked(v, true);
+    touching[v] = (fans[p] > 1 && !on_curve[p]) || (fans[p] > 0 && on_free_curve[p]);
   }
+  return touching;
 }
 
 }  // namespace
 
-void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
-                TetDomain::Data& out) {
+std::vector<bool> add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options,
+                             const JoinedMesh& joined, TetDomain::Data& out) {
   const std::vector<Index>& source = joined.source;
   Curves curves(source);
   if (out.surface) add_edges_of_surface(out, joined, curves);
   out.report.missing_edges = add_tagged_edges(input, source, out, curves);
-  lock_touching_points(out, source, curves, options.feature_angle);
+  std::vector<bool> touching = touching_points(out, source, curves, options.feature_angle);
 
   tet::TetMesh& root = *out.mesh;
   std::vector<std::set<std::array<Tag, 5>>> kinds(input.points.size());
@@ -324,7 +326,7 @@ void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, 
     tags.push_back(e->tag);
     flags.push_back(e->flags);
   }
-  if (tags.empty()) return;
+  if (tags.empty()) return touching;
   const CutOptions ends{[&](Index v) { return kinds[source[v]].size() > 1; }};
   out.curves = add_child_from_tags(
       *out.tree, NodeId::root, 1, [&](Index s) { return tagged[s]; }, make_mesh, ends);
@@ -333,6 +335,30 @@ void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, 
   out.curve_flags =
       &openmesh::add_values(out.openmesh(*out.curves), OpenMesh::EPropHandleT<std::uint8_t>(), "flags");
   std::copy(flags.begin(), flags.end(), out.curve_flags->begin());
+  return touching;
+}
+
+void add_fixed_points(const TaggedTetrahedra& input, const JoinedMesh& joined,
+                      const std::vector<bool>& touching, TetDomain::Data& out) {
+  const std::vector<Index> place = places_of_fixed(input);
+  std::vector<Tag> tags;
+  std::vector<std::uint8_t> flags;
+  std::vector<bool> fixed(joined.source.size(), false);
+  for (Index v = 0; v < fixed.size(); ++v) {
+    const Index listed = place[joined.source[v]];
+    fixed[v] = listed != no_index || touching[v] || (*out.copy_of)[v] != 0;
+    if (!fixed[v]) continue;
+    tags.push_back(listed == no_index || input.fixed_tags.empty() ? 0 : input.fixed_tags[listed]);
+    flags.push_back(flags_of(input.fixed_flags, listed));
+  }
+  if (tags.empty()) return;
+  out.fixed_points = add_child_from_tags(
+      *out.tree, NodeId::root, 0, [&](Index v) { return fixed[v]; }, make_mesh);
+  auto& om = out.openmesh(*out.fixed_points);
+  out.fixed_tags = &openmesh::add_values(om, OpenMesh::VPropHandleT<Tag>(), "tag");
+  *out.fixed_tags = std::move(tags);
+  out.fixed_flags = &openmesh::add_values(om, OpenMesh::VPropHandleT<std::uint8_t>(), "flags");
+  *out.fixed_flags = std::move(flags);
 }
 
 }  // namespace multimesh

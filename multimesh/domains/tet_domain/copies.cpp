@@ -39,10 +39,7 @@ class CopyFinder {
   void mark_edge(Dart e) {
     root_.set_value(*domain_.copied_edges, e, char{1});
     for (const Dart end : {e, root_.reorder(e, exchange_ends)}) {
-      const Index v = root_.vertex(end);
-      if (root_.is_locked(v)) continue;
-      root_.set_locked(v, true);
-      (*domain_.locked_by_cut)[v] = 1;
+      root_.set_locked(root_.vertex(end), true);
     }
   }
 
@@ -78,7 +75,6 @@ class CopyFinder {
 }  // namespace
 
 void find_copies(TetDomain::Data& out, JoinedMesh& joined) {
-  out.locked_by_cut = &out.mesh->add_vertex_property<char>("locked by the cut");
   out.copied_edges = &out.mesh->add_simplex_property<char>(1, "copied");
   out.parted_faces = &out.mesh->add_simplex_property<char>(2, "parted");
   if (out.report.copied_vertices == 0) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Private to the files tet_domain*.cpp.
+// Private to the files of this folder.
 #pragma once
 
 #include "multimesh/domains/tet_domain.hpp"
@@ -15,22 +15,19 @@ struct TetDomain::Data {
   tet::Property<Point>* points = nullptr;
   tet::Property<Tag>* regions = nullptr;
   tet::Property<Index>* copy_of = nullptr;  // per vertex with copies: its input point's index + 1; else 0
-  tet::Property<char>* locked_by_cut = nullptr;        // per vertex: only a copied edge locks it
   tet::SimplexProperty<char>* copied_edges = nullptr;  // edges that occur more than once, or are sides of a
                                                        // parted face
   tet::SimplexProperty<char>* parted_faces = nullptr;  // faces that occur more than once
-  tet::Property<Index>* fixed =
-      nullptr;  // per vertex in the list of fixed points: its position there + 1; else 0
   tet::Property<Tag>* point_tags = nullptr;
   tet::Property<std::uint8_t>* tet_flags = nullptr;
-  std::vector<Tag> fixed_tags;  // per fixed point of the input; so are the flags
-  std::vector<std::uint8_t> fixed_flags;
-  std::optional<NodeId> surface, curves;
+  std::optional<NodeId> surface, curves, fixed_points;
   std::vector<Tag>* patches = nullptr;  // per triangle of the surface; so are the flags
   std::vector<std::uint8_t>* triangle_flags = nullptr;
   std::vector<char>* implied = nullptr;    // per triangle of the surface: present only as boundary
   std::vector<Tag>* curve_tags = nullptr;  // per edge of the curves; so are the flags
   std::vector<std::uint8_t>* curve_flags = nullptr;
+  std::vector<Tag>* fixed_tags = nullptr;  // per fixed point; so are the flags
+  std::vector<std::uint8_t>* fixed_flags = nullptr;
   TetDomainReport report;
 
   OpenMesh::PolyConnectivity& openmesh(NodeId n) {
@@ -56,8 +53,12 @@ inline std::uint8_t flags_of(const std::vector<std::uint8_t>& flags, Index i) {
   return flags.empty() ? std::uint8_t{0} : flags[i];
 }
 
-/// \pre the surface, if any, has been added
-void add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options, const JoinedMesh& joined,
-                TetDomain::Data& out);
+/// \pre the surface, if any, has been added. \return per vertex of the root, whether sheets touch there
+/// with no curve through, or the surface and a curve that does not run on it
+std::vector<bool> add_curves(const TaggedTetrahedra& input, const TetDomainOptions& options,
+                             const JoinedMesh& joined, TetDomain::Data& out);
+/// Those that the input lists, those where something touches, and copies.
+void add_fixed_points(const TaggedTetrahedra& input, const JoinedMesh& joined,
+                      const std::vector<bool>& touching, TetDomain::Data& out);
 
 }  // namespace multimesh

@@ -53,7 +53,8 @@ TetDomain::TetDomain(const TaggedTetrahedra& input, const TetDomainOptions& opti
   check(input);
   const JoinedMesh joined = add_tetrahedra(input, *data_);
   add_surface(input, options, joined, *data_);
-  add_curves(input, options, joined, *data_);
+  const std::vector<bool> touching = add_curves(input, options, joined, *data_);
+  add_fixed_points(input, joined, touching, *data_);
 }
 
 TetDomain::~TetDomain() = default;
@@ -76,6 +77,9 @@ std::optional<NodeId> TetDomain::surface() const {
 }
 std::optional<NodeId> TetDomain::curves() const {
   return data_->curves;
+}
+std::optional<NodeId> TetDomain::fixed_points() const {
+  return data_->fixed_points;
 }
 const TetDomainReport& TetDomain::report() const {
   return data_->report;
@@ -112,9 +116,14 @@ TetDomain::Tag TetDomain::patch(Index triangle) const {
 TetDomain::Tag TetDomain::curve_tag(Index edge) const {
   return (*data_->curve_tags)[edge];
 }
+TetDomain::Tag TetDomain::fixed_tag(Index point) const {
+  return (*data_->fixed_tags)[point];
+}
 std::uint8_t TetDomain::flags(int dimension, Index simplex) const {
   if (dimension == 3) return (*data_->tet_flags)[simplex];
-  return dimension == 2 ? (*data_->triangle_flags)[simplex] : (*data_->curve_flags)[simplex];
+  return (dimension == 2   ? *data_->triangle_flags
+          : dimension == 1 ? *data_->curve_flags
+                           : *data_->fixed_flags)[simplex];
 }
 
 namespace {
@@ -223,14 +232,14 @@ class Writer {
   }
 
   void fixed_points() {
-    for (Index v = 0; v < root_.capacity(0); ++v) {
-      if (!root_.is_live(0, v) || !root_.is_locked(v) || root_.dart_of(0, v) == no_dart) continue;
-      const Index place = (*data_.fixed)[v] == 0 ? no_index : (*data_.fixed)[v] - 1;
-      if (place == no_index && (*data_.locked_by_cut)[v]) continue;
+    const Mesh& mesh = data_.tree->mesh(*data_.fixed_points);
+    for (Index p = 0; p < mesh.capacity(0); ++p) {
+      if (!mesh.is_live(0, p)) continue;
+      const Index v = root_.vertex(data_.tree->to_parent(*data_.fixed_points, mesh.dart_of(0, p)));
       if (!once_({point_(v)})) continue;
       out_.fixed.push_back(point_(v));
-      out_.fixed_tags.push_back(place == no_index || data_.fixed_tags.empty() ? 0 : data_.fixed_tags[place]);
-      out_.fixed_flags.push_back(flags_of(data_.fixed_flags, place));
+      out_.fixed_tags.push_back((*data_.fixed_tags)[p]);
+      out_.fixed_flags.push_back((*data_.fixed_flags)[p]);
     }
   }
 
@@ -258,7 +267,7 @@ TaggedTetrahedra TetDomain::tagged() const {
   write.tetrahedra();
   if (data_->surface) write.surface();
   if (data_->curves) write.curves();
-  write.fixed_points();
+  if (data_->fixed_points) write.fixed_points();
   write.point_tags();
   out.tets.vertices = out.triangles.vertices = out.edges.vertices = static_cast<Index>(out.points.size());
   return out;

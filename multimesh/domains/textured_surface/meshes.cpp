@@ -30,11 +30,11 @@ void lock_copies(std::size_t positions, TexturedSurface::Data& out) {
   out.is_copy = out.add_property(NodeId::root, OpenMesh::VPropHandleT<char>(), "copy");
   std::vector<Index> copies(positions, 0);
   for (const Index v : *out.source_position) ++copies[v];
-  auto& mesh = out.connectivity(NodeId::root).openmesh();
+  Mesh& mesh = out.connectivity(NodeId::root);
   for (Index v = 0; v < out.source_position->size(); ++v) {
     const bool copied = copies[(*out.source_position)[v]] > 1;
     (*out.is_copy)[v] = copied;
-    if (copied) mesh.status(OpenMesh::VertexHandle(static_cast<int>(v))).set_locked(true);
+    if (copied) mesh.set_locked(v, true);
   }
   for (const Index n : copies) out.report.copied_vertices += n > 1 ? n - 1 : 0;
 }

@@ -77,8 +77,7 @@ bool TexturedSurface::is_copy(Index vertex) const {
 }
 
 void TexturedSurface::set_locked(Index vertex, bool on) {
-  auto& mesh = data_->connectivity(NodeId::root).openmesh();
-  mesh.status(OpenMesh::VertexHandle(static_cast<int>(vertex))).set_locked(on || is_copy(vertex));
+  data_->connectivity(NodeId::root).set_locked(vertex, on || is_copy(vertex));
 }
 
 bool TexturedSurface::has_normals() const {
