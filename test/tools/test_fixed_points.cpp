@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "adapters/io/simplex_reader.hpp"
-#include "adapters/io/simplex_writer.hpp"
+#include "multimesh/io/simplex_reader.hpp"
+#include "multimesh/io/simplex_writer.hpp"
 #include "test/tools/listed_domain.hpp"
 #include "test/tools/program.hpp"
 
