@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two OpenMesh meshes of the user's, attached in place: a tube, and the rectangle that it is rolled from.
-// They have the same faces; the tube's seam is two sides of the rectangle. What is done to one, both get.
+// Two of the user's OpenMesh meshes, attached in place: a tube, and the rectangle that is rolled into it. They
+// have the same faces; the tube's seam is two sides of the rectangle. Operations on one are carried to both.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cmath>
 #include <iostream>
@@ -76,14 +76,14 @@ int main() {
   };
   bool ok = expect(in_step(), "after construction");
 
-  // On the surface, an edge of the seam: the rectangle has two of them, and gets two new vertices.
+  // On the surface, an edge of the seam: the rectangle has two such edges, and gets two new vertices.
   const OpenMesh::VertexHandle bottom(around), top(2 * around);
   const Dart seam = TriangleMesh::dart(surface.find_halfedge(bottom, top));
   const Outcome split = propagation.split(NodeId::root, seam, 0.25);
   ok &=
       expect(split && surface.n_vertices() == 33 && uv.n_vertices() == 38 && in_step(), "split of the seam");
 
-  // The other way round: the half at the bottom, asked for on one of its two sides in the rectangle.
+  // The other way round: the half at the bottom, requested on one of its two sides in the rectangle.
   DartBuffer sides;
   tree.to_child(child, split.dart, 1, sides);
   ok &= expect(sides.size() == 2, "a seam edge has two preimages");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a UV seam is: an edge of the surface that is two edges of the texture. A collapse along it happens on
-// both sides; one that would pinch a chart, or pull the seam from its place, is refused with the reason.
+// both sides. A collapse that would pinch a chart, or move the seam, is refused with the reason.
 #include <iostream>
 #include <string>
 
@@ -56,8 +56,8 @@ int main(int argc, char** argv) try {
   ok &= expect(report(curves).edges == seam_edges - 1 && charts_after.components == charts.components,
                "so does the curve");
 
-  // What is not legal: an edge from seam to seam across a chart; and to put a point of a seam where the
-  // vertex beside it is.
+  // Illegal: collapsing an edge from seam to seam across a chart, and moving a point of a seam to the place
+  // of the vertex beside it.
   Outcome across_chart{}, off_seam{};
   for (Index e = 0; e < root.capacity(1); ++e) {
     if (!root.is_live(1, e) || tree.has_preimage(NodeId::root, root.dart_of(1, e), 1, seams)) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sharp edges and the boundary as meshes of their own. An open box is decimated as far as topology allows;
-// its edges and corners stay where they are, because there are meshes that hold them.
+// its edges and corners stay where they are, because meshes hold them.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <array>
 #include <iostream>
@@ -73,7 +73,7 @@ int main() {
   VertexAttribute position(NodeId::root, box.property(box.points_property_handle()).data_vector());
   propagation.add(position);
 
-  // Asked for on a curve, an operation happens to the surface too.
+  // An operation that is requested on a curve is also done on the surface.
   const Outcome split = propagation.split(rim, tree.mesh(rim).dart_of(1, 0), 0.25);
   ok &= expect(split && report(root).faces == 10 * n * n + 1, "split of the rim");
 

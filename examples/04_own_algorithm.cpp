@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An algorithm of one's own: short edges are collapsed, shortest first, until all are long enough. It says
-// what to do on one mesh; half of the surface is a mesh of its own, below it, and follows.
+// An algorithm of your own: short edges are collapsed, shortest first, until all are long enough. It is
+// written for one mesh; half of the surface is a mesh of its own, below it, and follows.
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <iostream>
@@ -25,10 +25,10 @@ class Coarsening {
       : root_(tree.mesh(NodeId::root)),
         shortest_(shortest),
         position_(NodeId::root, mesh.property(mesh.points_property_handle()).data_vector()),
-        // An attribute with a rule: how many vertices of the input a vertex stands for.
+        // An attribute with a rule: how many vertices of the input a vertex represents.
         merged_(NodeId::root, mesh.property(merged).data_vector(),
                 [this](Operation, const VertexChange& c) { return merged_[c.a] + merged_[c.b]; }),
-        // An invariant, asked before: nothing has to be undone if it fails.
+        // An invariant, evaluated before: nothing has to be undone if it fails.
         few_merged_("few merged",
                     [this](const Event& e) {
                       const Dart a = e.copies[0].dart, b = root_.switch_dart(a, 0);
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
 
   Coarsening coarsening(tree, mesh, merged, 0.05);
   coarsening.run();
-  tree.compact();  // now mesh.vertices() are those that are left
+  tree.compact();  // now mesh.vertices() are the remaining ones
   const MeshReport after = report(tree.mesh(NodeId::root)), half_after = report(tree.mesh(half));
   const auto same_type = [](const MeshReport& x, const MeshReport& y) {
     return x.genus == y.genus && x.boundary == y.boundary && x.components == y.components;

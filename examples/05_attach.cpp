@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An existing pipeline: a mesh with traits and properties of the user's own becomes part of a multimesh in
-// place, in five lines. 100,000 operations later everything is undone, and the mesh is what it was.
+// An existing pipeline: a mesh with the user's own traits and properties becomes part of a multimesh in
+// place, in five lines. After 100,000 operations everything is undone, and the mesh is what it was.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
 #include <cmath>
@@ -82,7 +82,7 @@ int main() {
       if (what == 1 || what == 2) (void)attached.collapse(e.h0());
       if (what > 2) (void)attached.swap(e);
     }
-    double wrong = 0;  // the heat is linear in space, and goes with the points
+    double wrong = 0;  // the heat is linear in space, and follows the points
     for (const auto v : mesh.vertices()) wrong = std::max(wrong, std::abs(heat[v] - mesh.point(v)[2]));
     std::cout << "after 100000 operations: " << attached.tree().mesh(texture).capacity(2)
               << " places for faces, " << attached.tree().mesh(features).capacity(1)

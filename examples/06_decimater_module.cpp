@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenMesh's own decimater, with its quadrics and a module of ours: what it does to the mesh happens to the
-// mesh's texture and to the curves along its seams, too, or it does not happen.
+// OpenMesh's own decimater, with its quadrics and a module of ours: whatever it does to the mesh is also done
+// to the mesh's texture and to the curves along its seams, or not at all.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An invariant of a user's own: a solid may not lose or gain more than a share of its volume. It is asked
-// before a collapse, by what the collapse will do; then nothing has to be undone. Refusals name it.
+// An invariant of your own: a solid may not change its volume by more than a share. It predicts the effect of
+// a collapse and is evaluated before, so nothing has to be undone. Refusals name it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <algorithm>
@@ -45,7 +45,7 @@ class KeepsVolume final : public Invariant {
   double sum() const { return sum_; }
 
  private:
-  // All triangles around both ends get the merged vertex in place of their end; those with both are gone.
+  // All triangles around both ends get the merged vertex in place of their end; those with both vanish.
   double change_by(const Event& event) {
     const Mesh& mesh = event.tree.mesh(NodeId::root);
     const VertexChange c = event.collapse_of(0);

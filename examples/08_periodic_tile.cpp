@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A cube of tetrahedra that repeats in all directions. The corner of the cube is moved, with all eight copies
-// of it; then the mesh is made coarser, until no edge may be collapsed, and still repeats.
+// of it. Then the mesh is coarsened until no edge may be collapsed, and still repeats.
 #include <algorithm>
 #include <iostream>
 

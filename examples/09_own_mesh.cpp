@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A mesh type of a user's own as a child of an OpenMesh surface: a polyline in plain vectors (own_mesh.hpp)
-// on a sheet. The core knows neither of the two. test/conformance says whether such a type keeps what it
-// promises.
+// A mesh type of your own as a child of an OpenMesh surface: a polyline in plain vectors (own_mesh.hpp) on a
+// sheet. The core depends on neither of the two. test/conformance checks whether such a type keeps its
+// contract.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <iostream>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From a file to a domain and back, with materials, groups and tags: a textured surface, tetrahedra, a
-// periodic tile. What was odd about a file, and what a format has no room for, comes back as sentences.
+// periodic tile. Sentences report what was unusual about a file, and what a format cannot store.
 #include <iostream>
 
 #include "multimesh/algorithms/decimate.hpp"
@@ -32,7 +32,7 @@ void convert_file(const fs::path& in, const fs::path& out) {
   tell(file.warnings);
 }
 
-/// A periodic tile, glued as its file says.
+/// A periodic tile, glued as its file specifies.
 PeriodicDomain glue_file(const fs::path& in) {
   const files::TileFile file = files::read_tile(in);
   tell(file.warnings);

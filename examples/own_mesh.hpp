@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A mesh type of a user's own behind the interface of the core: polylines in plain vectors. It is the
-// simplest that is right: a search is a loop over all edges. Here are the darts and the operations.
+// A mesh type of your own behind the interface of the core: polylines in plain vectors. It is the simplest
+// correct one: a search is a loop over all edges. This file has the darts and the operations.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class OwnMesh final : public OwnMeshStorage {
     if (const Dart other = switch_dart(d, 1); k == 0 && other != multimesh::no_dart) out.push_back(other);
   }
   bool is_boundary(Dart d, int) const override { return switch_dart(d, 1) == multimesh::no_dart; }
-  // Not the last edge of a chain, nor one of three of a loop.
+  // Not the last edge of a chain, nor one of the three of a loop.
   bool link_condition(Dart e) const override {
     const Dart at_a = switch_dart(e, 1), at_b = switch_dart(Dart{code(e) ^ 1U}, 1);
     if (at_a == multimesh::no_dart || at_b == multimesh::no_dart) return at_a != at_b;

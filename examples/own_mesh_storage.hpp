@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a mesh stores for the core: its elements, anchors towards a parent, links towards children, and a
-// journal of all of it. Here the journal keeps copies, and undoing is an assignment.
+// journal of all of these. Here the journal keeps copies, and undoing is an assignment.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class OwnMeshStorage : public multimesh::Mesh {
   void remove_anchors() override { state_.anchors.clear(); }
   multimesh::Anchor anchor(Index f) const override { return state_.anchors[f]; }
   void set_anchor(Index f, multimesh::Anchor a) override { state_.anchors[f] = a; }
-  LinkSet add_links(int) override {  // of edges: what lies over polylines are polylines
+  LinkSet add_links(int) override {  // of edges: only polylines lie over polylines
     state_.links.emplace_back(state_.edges.size(), multimesh::no_index);
     return static_cast<LinkSet>(state_.links.size() - 1);
   }
