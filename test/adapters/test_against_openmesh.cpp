@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Our local operations give what OpenMesh's own give: the same handles survive, joined in the same way.
+// Our local operations have the same results as OpenMesh's: the same handles survive, joined the same way.
 #include <gtest/gtest.h>
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
@@ -31,7 +31,7 @@ TriConnectivity connectivity(const FacetList& list) {
   return om;
 }
 
-/// Live handles and how they are joined; the outgoing halfedge of a vertex is a choice and left out.
+/// Live handles and their connections; the outgoing halfedge of a vertex is arbitrary and left out.
 std::vector<std::array<int, 5>> joined(const TriConnectivity& om) {
   std::vector<std::array<int, 5>> all;
   for (const auto v : om.all_vertices())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A user's own mesh, with traits and properties, becomes part of a tree in place, and is given back.
+// A user's own mesh, with traits and properties, becomes part of a tree in place, and is released again.
 #include <gtest/gtest.h>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -131,7 +131,7 @@ TYPED_TEST(AttachInPlace, GivesTheMeshBackAsItWas) {
   }
 }
 
-// The user did not ask for status: who removes the elements that died, or keeps them marked?
+// The user did not request status, so elements that died must be removed: nothing marks them as deleted.
 TYPED_TEST(AttachInPlace, LeavesNothingDeadWithoutAMark) {
   auto& user = this->user_;
   const std::size_t faces = user.n_faces();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Copies of attached meshes are ordinary meshes: they can be attached, whatever became of their originals.
+// Copies of attached meshes are ordinary meshes: they can be attached, whatever happens to their originals.
 #include <gtest/gtest.h>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -26,7 +26,7 @@ struct TraitsWithStatus : Traits {
   HalfedgeAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::TexCoord2D);
 };
 
-/// All that a user can see of a mesh: corners of live faces, points, and a property of the user's.
+/// Everything that a user can see of a mesh: corners of live faces, points, and a property of the user's.
 template <class UserMesh>
 std::vector<double> seen(const UserMesh& mesh) {
   std::vector<double> all;
@@ -72,7 +72,7 @@ class CopiedMesh : public testing::Test {
       mesh_.set_texcoord2D(h, {float(p[0]), float(p[1])});
     }
   }
-  /// Attaches a mesh, with children, and does some of everything.
+  /// Attaches a mesh, with children, and does some operations of each kind.
   void work_on(UserMesh& mesh) {
     openmesh::Attached<UserMesh> attached(mesh);
     work_on(attached);
@@ -117,7 +117,7 @@ TYPED_TEST(CopiedMesh, AttachesWhileItsOriginalIsAttached) {
   EXPECT_NE(seen(backup), before);
   EXPECT_EQ(seen(this->mesh_), before);
   EXPECT_EQ(validate(attached.tree()), std::vector<std::string>{});
-  EXPECT_THROW(openmesh::Attached<TypeParam>{this->mesh_}, UsageError);  // the original is attached still
+  EXPECT_THROW(openmesh::Attached<TypeParam>{this->mesh_}, UsageError);  // the original is still attached
   this->operate(attached);
 }
 

@@ -148,7 +148,7 @@ TEST_F(EditsOutside, ThatOnlyMoveThingsAreNone) {
   attached_->tree().require_in_step();
 }
 
-// The user collects the garbage that our operations left.
+// The user collects the garbage of our operations.
 TEST_F(EditsOutside, GarbageCollectionIsFollowed) {
   ASSERT_TRUE(attached_->collapse(halfedge(4, 3, 5, 3)));
   ASSERT_TRUE(attached_->collapse(halfedge(5, 6, 6, 6)));
@@ -197,7 +197,7 @@ TEST_F(EditsOutside, AreRefusedForGoodWhereAMapIsLost) {
   EXPECT_EQ(validate(attached_->tree()), std::vector<std::string>{});
 }
 
-// No vertex that is left shows what has gone: only the maps do.
+// The remaining vertices do not show what is missing: only the maps do.
 TEST_F(EditsOutside, AreRefusedWhereAWholeComponentHasGone) {
   for (const bool collected : {false, true}) {
     UserMesh mesh = make();

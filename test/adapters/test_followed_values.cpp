@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A user's properties on edges, faces and halfedges of an attached mesh: what they are after each operation.
+// A user's properties on edges, faces and halfedges of an attached mesh: their values after each operation.
 #include <gtest/gtest.h>
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -52,7 +52,7 @@ class FollowedValues : public testing::Test {
   OpenMesh::HPropHandleT<double> corner_number_;
 };
 
-// 0-4 and 3-4 become one. Of the two 3-4 is in the curve, and it is at the vertex that dies.
+// 0-4 and 3-4 become one. 3-4 is in the curve, and it is at the vertex that dies.
 TEST_F(FollowedValues, OfTheEdgeInACurveWin) {
   mesh_.status(edge(0, 3)).set_feature(true);
   openmesh::Attached attached(mesh_);

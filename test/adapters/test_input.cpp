@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What cannot be a mesh of a tree is refused on entry, with the element named, and left as it was.
+// Input that cannot be a mesh of a tree is refused, naming the element, and left unchanged.
 #include <gtest/gtest.h>
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
@@ -67,8 +67,8 @@ TEST(TriangleMeshInput, RefusesAPinchedVertex) {
   expect_refused<openmesh::TriangleMesh>(poly(5, {{0, 1, 2}, {0, 3, 4}}), "vertex 0");
 }
 
-// Two closed fans at one vertex: OpenMesh's add_face does not make them, other code can, and is_manifold()
-// does not see them: it walks around one fan only.
+// Two closed fans at one vertex: OpenMesh's add_face does not make them, but other code can. is_manifold()
+// does not detect them, because it walks around only one fan.
 TEST(TriangleMeshInput, RefusesTwoTetrahedraThatShareAVertex) {
   PolyConnectivity om =
       poly(8, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {4, 5, 6}, {4, 6, 7}, {4, 7, 5}, {5, 7, 6}});

@@ -109,7 +109,7 @@ TEST(MakeTriangles, AreThoseOfOpenMeshNumberByNumber) {
   EXPECT_GT(compared, 100);
 }
 
-// All edges to the tip have one vertex in common: nothing may look through them edge by edge.
+// All edges to the apex have a common vertex: no step may search them edge by edge.
 TEST(MakeTriangles, TakesALargeFan) {
   const FacetList fan = disk(300000).facets;
   EXPECT_EQ(cut(fan).facets.size(), fan.size());

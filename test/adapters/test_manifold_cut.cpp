@@ -59,8 +59,8 @@ std::multiset<std::array<double, 9>> faces_of(const UserMesh& mesh) {
   return all;
 }
 
-/// Every handle of the connectivity, as it lies in memory but for links of the boundary, which may be in
-/// another order around a vertex.
+/// Every handle of the connectivity in memory, except links of the boundary, which may be in another order
+/// around a vertex.
 template <class UserMesh>
 std::vector<int> connectivity(const UserMesh& mesh) {
   std::vector<int> words{int(mesh.n_vertices()), int(mesh.n_edges()), int(mesh.n_faces())};
@@ -71,7 +71,7 @@ std::vector<int> connectivity(const UserMesh& mesh) {
   return words;
 }
 
-/// Edges that have both their vertices in common with another one.
+/// Edges whose two vertices are also those of another edge.
 template <class UserMesh>
 std::size_t double_edges(const UserMesh& mesh) {
   std::map<std::pair<int, int>, int> edges;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Numbers that are the same everywhere.
+/// Random numbers that are the same on all platforms.
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}
@@ -278,7 +278,8 @@ TEST(TriangleTree, AnswersManyThreads) {
     for (const auto& answer : answers) expect_equal(answer[i], answers[0][i]);
 }
 
-/// A fine soup with some triangles far away, once and at several distances: where the tree changes its ways.
+/// A fine soup with some triangles far away, once and at several distances, where the tree changes its
+/// method.
 std::vector<Triangle> with_far_ones(std::size_t n, double distance, double step) {
   std::vector<Triangle> all = soup(n, 5, 0.05, {-1, -1, -1}, {1, 1, 1});
   for (double d = distance; d < 1e30; d *= step) all.push_back({{{d, 0, 0}, {d, d / 10, 0}, {d, 0, 1}}});

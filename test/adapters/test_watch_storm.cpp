@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random operations on an attached mesh, in nested transactions, half of them undone, with garbage
-// collections of ours and of the user's in between: what is known of the mesh must always be so.
+// Random operations on an attached mesh, in nested transactions, half of them undone, with our garbage
+// collections and the user's in between: the watch must always agree with the mesh.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -12,7 +12,7 @@ inline const char* name_of(DecimateCost cost) {
   return cost == DecimateCost::length ? "Length" : "Quadric";
 }
 
-/// Found by GoogleTest, which prints the bytes of a parameter otherwise.
+/// Used by GoogleTest, which would otherwise print the bytes of a parameter.
 inline void PrintTo(DecimateCost cost, std::ostream* out) {
   *out << name_of(cost);
 }

@@ -153,9 +153,9 @@ bool runs_along(const Triangle& t, int a, int b) {
   return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
 }
 
-/// Per triangle: the sign of its area if it lies in the texture as its chart does; 0 for a chart without
-/// area. Charts are walked over edges with two triangles; triangles that run against each other change the
-/// sign.
+/// Per triangle: the sign of its area relative to its chart; 0 for a chart without area. Charts are
+/// traversed over edges with two triangles; between triangles of opposite orientation the sign
+/// changes.
 std::vector<int> right_signs(const TexturedTriangles& s, const std::vector<Triangle>& textured) {
   const auto by_edge = triangles_by_edge(textured);
   std::vector<int> turn(textured.size(), 0), sign(textured.size(), 0);

@@ -8,7 +8,7 @@
 
 namespace multimesh::test {
 
-/// A triangle complex, counted from the vertices of its triangles alone; not manifold perhaps.
+/// A triangle complex, counted only from the vertices of its triangles; possibly not manifold.
 struct ComplexFacts {
   long components = 0;        ///< joined across edges
   long euler = 0;             ///< V - E + F

@@ -18,8 +18,8 @@ struct AffineMap {
   Vec2 operator()(const Vec3& p) const;
 };
 
-/// A surface made by code. Where `maps` is not empty, the texture coordinates of a triangle of chart c are
-/// maps[c] of its positions, and must stay so: whatever a correct decimation does to a planar part.
+/// A surface made by code. If `maps` is not empty, the texture coordinates of a triangle of chart c are
+/// maps[c] of its positions. Any correct decimation of a planar part must preserve this.
 struct MadeSurface {
   std::string name;
   TexturedTriangles input;
@@ -27,7 +27,7 @@ struct MadeSurface {
   std::vector<AffineMap> maps;
 };
 
-/// Found by GoogleTest, which prints the bytes of a parameter otherwise.
+/// Used by GoogleTest, which would otherwise print the bytes of a parameter.
 inline void PrintTo(const MadeSurface& s, std::ostream* out) {
   *out << s.name;
 }
@@ -59,7 +59,7 @@ MadeSurface sphere_with_charts();
 MadeSurface book();           ///< three planar pages on a spine: edges with three faces
 MadeSurface pinched();        ///< two planar sheets that touch in a vertex
 MadeSurface self_touching();  ///< a sheet with two vertices of its boundary joined in one point
-MadeSurface half_reversed();  ///< two_charts, one half of the triangles turned round
+MadeSurface half_reversed();  ///< two_charts, with one half of the triangles reversed
 
 std::vector<MadeSurface> made_surfaces();
 

@@ -18,7 +18,7 @@ void add_uv_set(
     TexturedTriangles& surface, const Unwrap& unwrap,
     const std::function<bool(std::size_t triangle)>& has = [](std::size_t) { return true; });
 
-/// The surface with a set of its texture coordinates in place of the first one, and no other.
+/// The surface with one set of its texture coordinates as the only one.
 TexturedTriangles only_uv_set(const TexturedTriangles& surface, std::size_t set);
 
 /// Moves each position by up to `by` in each coordinate, from a seed; relative to the first edge. Texture

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sharp edges and borders of labels as curves, what they are called, and that operations keep the names.
+// Sharp edges and borders of labels as curves, their kinds, and that operations keep the kinds.
 #include <gtest/gtest.h>
 
 #include <cmath>

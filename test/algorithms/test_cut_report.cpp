@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input that is no manifold: how much is cut, what is said of it, and that it is joined again.
+// Input that is not manifold: how much is cut, how this is reported, and that it is joined again.
 #include <gtest/gtest.h>
 
 #include <cmath>

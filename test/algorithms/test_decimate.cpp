@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decimation of surfaces made by code: topology, orientation, and that position and texture stay in step.
+// Decimation of surfaces made by code: topology, orientation, and consistency of position and texture.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -101,7 +101,7 @@ TEST_P(DecimateAffine, PositionAndTextureDenoteTheSamePoint) {
       const auto expected = made().maps[chart](after.positions[static_cast<std::size_t>(c.position)]);
       error = std::max(error, (after.texcoords[static_cast<std::size_t>(c.texcoord)] - expected).norm());
     }
-  // Exact but for corners that are cut off: position and texture coordinates find their own compromise there.
+  // Exact except for corners that are cut off: there position and texture coordinates compromise differently.
   EXPECT_LT(error, GetParam().ratio < 0.1 ? 1e-2 : 1e-6);
 }
 

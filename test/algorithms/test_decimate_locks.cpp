@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What decimate() is told to leave alone: boundaries, seams, borders of labels, sharp edges.
+// What decimate() must leave unchanged: boundaries, seams, borders of labels, sharp edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>

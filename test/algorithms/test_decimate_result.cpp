@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of decimate() and what it says about a run.
+// The options of decimate() and its report on a run.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No unit counts: a model of another size, at another place, with other texture coordinates, is decimated by
-// the same collapses.
+// Units do not matter: a model of another size, at another place, with other texture coordinates, is
+// decimated by the same collapses.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -67,7 +67,8 @@ std::vector<MadeSurface> surfaces() {
   return all;
 }
 
-// A scale by a power of two and half a turn are exact in floating point, and so must be all that follows.
+// Scaling by a power of two and a half turn are exact in floating point, and so must be everything that
+// follows.
 TEST_P(DecimateScale, PowersOfTwoChangeNoBit) {
   for (const double scale : {1024.0, 0x1p-30, 0x1p60, 0x1p-110, 0x1p110}) expect_no_bit_changed(scale);
 }
@@ -91,7 +92,7 @@ Vec3 turned(const Vec3& p) {
   return p * c + cross(axis, p) * s + axis * (dot(axis, p) * (1 - c));
 }
 
-// Roundings differ here, and would decide between edges of equal cost: there are none on jittered surfaces.
+// Rounding differs here, and would decide between edges of equal cost: jittered surfaces have none.
 TEST(DecimateScale, ASimilarityOfSpaceAndOneOfTheTextureChangeNoCollapse) {
   const auto in_space = [](const Vec3& p) { return turned(p) * 1000.0 + Vec3(300, -2000, 50); };
   const auto in_texture = [](const Vec2& p) {
@@ -119,7 +120,7 @@ TEST(DecimateScale, ASimilarityOfSpaceAndOneOfTheTextureChangeNoCollapse) {
   }
 }
 
-// An affine map of the texture is no similarity; what is measured in space does not see it.
+// An affine map of the texture is not a similarity, but measurements in space are independent of it.
 TEST(DecimateScale, AnAffineMapOfTheTextureChangesNoCollapse) {
   const auto in_space = [](const Vec3& p) { return p; };
   const auto in_texture = [](const Vec2& p) {

@@ -47,8 +47,8 @@ TEST_P(DecimateSpot, KeepsSeamGraphAtTwoPercent) {
 INSTANTIATE_TEST_SUITE_P(Cost, DecimateSpot, ::testing::Values(DecimateCost::quadric, DecimateCost::length),
                          [](const auto& p) { return name_of(p.param); });
 
-// The area below which a triangle of the texture counts as having none may not come from another chart: one
-// triangle far away in the texture, and the flips of all others would pass unseen.
+// The area below which a triangle of the texture counts as having none must not depend on another chart:
+// otherwise one triangle far away in the texture would hide the flips of all others.
 TEST(DecimateSpot, AFarChartDoesNotHideFlipsOfTheOthers) {
   TexturedTriangles in = spot();
   const auto v = static_cast<std::int32_t>(in.positions.size());

@@ -27,7 +27,7 @@ class Trial {
  public:
   explicit Trial(unsigned seed) : random_(seed) {
     make_shape();
-    // At edges with three faces, which two of them are one chart is up to the cut: the judge does not know.
+    // At edges with three faces, the cut decides which two are one chart; the judge cannot know.
     if (facts(input).surface.crowded_edges == 0) make_sets();
     if (chance(0.3)) make_colors();
     if (chance(0.2)) make_labels();
@@ -180,7 +180,7 @@ TEST(DecimateStorm, AnySurfaceAndOptionsLeaveAValidSurface) {
     ASSERT_NO_FATAL_FAILURE(expect_valid(trial, surface, at_start));
     ASSERT_EQ(r.faces_after, surface.live_triangles());
     ASSERT_EQ(r.stop == DecimateResult::Stop::faces, r.faces_after <= trial.options.faces);
-    // And once more, without what was locked.
+    // Once more, without the locks.
     DecimateOptions again;
     again.faces = std::max<std::size_t>(1, r.faces_after / 2);
     (void)decimate(surface, again);

@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Made, SeveralSets,
                                   name_of(std::get<2>(p.param));
                          });
 
-// On a plane, affine maps of both sets must stay true: whatever one of them wants, the other follows.
+// On a plane, the affine maps of both sets must be preserved: each set follows the other.
 TEST(SeveralSets, OfAPlaneStayAffine) {
   TexturedTriangles in = bare(grid(20, 20));
   const auto first = [](const Vec3& p) { return Vec2(0.3 * p[0] + 0.1 * p[1], 0.2 * p[1] - 1); };
@@ -139,8 +139,8 @@ double area_in_texture(const TexturedTriangles& s, std::size_t t) {
   return u[0] * v[1] - u[1] * v[0];
 }
 
-// As where both halves of a symmetric model share their part of the texture: neither of them is the wrong
-// one.
+// As when both halves of a symmetric model share their part of the texture: neither of them is on the wrong
+// side.
 TEST(FoldedChart, KeepsTheOrientationOfBothHalves) {
   for (const double fold : {10.0, 9.0, 12.0}) {
     TexturedTriangles in = bare(grid(20, 20));
@@ -253,7 +253,7 @@ TexturedTriangles shaded_cube(int n) {
   return s;
 }
 
-// Hard edges are sharp ones there, and all of a curve stays hard.
+// The hard edges are the sharp ones there, and all edges of a curve stay hard.
 TEST(HardEdges, OfACubeStayItsTwelveEdges) {
   for (const double ratio : {0.5, 0.1, 0.001}) {
     TexturedSurface surface(shaded_cube(10), {.feature_angle = 1});
@@ -271,7 +271,7 @@ TEST(HardEdges, OfACubeStayItsTwelveEdges) {
   }
 }
 
-// No curve protects these: a band of hard edges around a smooth sphere. What is hard stays a closed ring.
+// No curve protects these: a band of hard edges around a smooth sphere. It must stay a closed ring.
 TEST(HardEdges, OfARingStayARing) {
   TexturedSurface surface(shaded_cube(10));
   std::size_t before = 0, after = 0;

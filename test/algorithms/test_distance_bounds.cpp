@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// DecimateOptions::max_error: judged by brute force, without any code of the test that keeps it.
+// DecimateOptions::max_error: judged by brute force, without any code of the placement test that enforces it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -147,7 +147,7 @@ TexturedTriangles partly_degenerate() {
   return s;
 }
 
-/// A fan around a vertex whose star is larger than what the test looks at.
+/// A fan around a vertex whose star is larger than what the placement test examines.
 TexturedTriangles cone() {
   Shape s = disk(300);
   for (Point& p : s.points) p[2] = 0.1 * std::cos(20 * std::atan2(p[1], p[0]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No triangle of a texture flips, of whatever size: charts that are graded over many orders of magnitude.
+// No triangle of a texture flips, however small: charts that are graded over many orders of magnitude.
 #include <gtest/gtest.h>
 
 #include <cmath>

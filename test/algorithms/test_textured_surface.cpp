@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Into a TexturedSurface and out again without an operation: nothing may be lost.
+// Converts to a TexturedSurface and back without an operation: nothing may be lost.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles that run against their neighbours are turned, and then all is as if they never had.
+// Triangles oriented against their neighbours are reversed; then the result is as if they had not been.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -13,8 +13,8 @@
 namespace multimesh::test {
 namespace {
 
-/// Exchanges the last two corners, as a program would that writes a triangle the other way round: its normals
-/// are then behind it.
+/// Exchanges the last two corners, like a program that writes a triangle with the opposite orientation: its
+/// normals then point to its back.
 void turn(TexturedTriangles& s, std::size_t t) {
   std::swap(s.triangles[t][1], s.triangles[t][2]);
   for (auto& set : s.more_uv_sets) std::swap(set.corners[t][1], set.corners[t][2]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several sets of texture coordinates, and vertex colours: in and out again, and what the tree has of them.
+// Several sets of texture coordinates, and vertex colours: a round trip, and what the tree has of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

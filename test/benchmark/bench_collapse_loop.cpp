@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One decimation to 10% of the faces, with the same queue, costs and updates: on bare OpenMesh, on a
-// multimesh with the root alone, and with children; OpenMesh's own decimater beside them. compare.py runs
-// them side by side and prints the ratios.
+// multimesh with only the root, and with children; also OpenMesh's own decimater. compare.py runs them side
+// by side and prints the ratios.
 #include <benchmark/benchmark.h>
 
 #include <string>

@@ -37,7 +37,7 @@ bool relocate(SurfaceTree& t, Dart v) {
       t.operations().relocate(NodeId::root, v, [&](const Event&) { t.position_attribute().set(i, moved); }));
 }
 
-/// Asks for the operation on a quarter of the k-simplices, each in turn, those that died left out.
+/// Requests the operation on a quarter of the k-simplices, each in turn, leaving out those that died.
 template <bool (*operation)(SurfaceTree&, Dart), int k>
 void run(::benchmark::State& state, unsigned children) {
   const auto n = static_cast<Index>(state.range(0)), m = static_cast<Index>(state.range(1));

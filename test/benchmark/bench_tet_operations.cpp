@@ -35,7 +35,7 @@ std::size_t allocated() {
   return m.uordblks + m.hblkhd;
 }
 
-/// Asks for the operation at a random dart of a tenth of the tetrahedra, dead ones left out.
+/// Requests the operation at a random dart of a tenth of the tetrahedra, leaving out dead ones.
 template <Outcome (*operation)(TetTree&, Dart)>
 void run(::benchmark::State& state, unsigned children) {
   const auto n = static_cast<Index>(state.range(0));

@@ -5,7 +5,7 @@
 
 namespace multimesh::bench {
 
-/// What a run has done; two runs with the same sequence of collapses have equal checksums.
+/// The result of a run; two runs with the same sequence of collapses have equal checksums.
 struct Decimation {
   std::size_t collapses = 0;
   std::size_t faces = 0;  ///< left over

@@ -76,7 +76,7 @@ void check_indices(const PlainObj& obj) {
         throw std::runtime_error("a face has no such texture coordinates");
 }
 
-/// A file under way, a large piece at a time.
+/// A file being written, a large piece at a time.
 class Writer {
  public:
   explicit Writer(const std::string& path) : file_(std::fopen(path.c_str(), "wb"), &std::fclose) {

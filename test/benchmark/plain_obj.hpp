@@ -8,9 +8,9 @@
 
 namespace multimesh::bench {
 
-/// The triangles of an OBJ file: `v`, `vt` and `f` with positive indices, polygons as fans; all else is
-/// skipped. As little as a program can do to get at its input, so that times with reading are not about the
-/// reader.
+/// The triangles of an OBJ file: `v`, `vt` and `f` with positive indices, polygons as fans; everything else
+/// is skipped. The least work with which a program can read its input, so that times with reading do not
+/// measure the reader.
 struct PlainObj {
   static constexpr std::uint32_t none = ~std::uint32_t{0};  ///< a corner without texture coordinates
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Our numbers against those of a program that shares no code with ours, decimate_eval of the shared folder.
-// Skipped where that is missing.
+// Skipped if that is missing.
 #include <cmath>
 #include <cstdio>
 
@@ -44,8 +44,8 @@ void expect_near(const Json& ours, const Json& theirs, double share, const char*
 }
 
 // Both take 60,000 random samples, each its own: a mean square has an error of about 1 / sqrt(60000) times
-// the spread of the squares, well below 2 %. The maximum is found at vertices, or nearly so, by both; where
-// it is inside of a face it hangs on single samples, so 5 %. The patterns of colours differ.
+// the spread of the squares, well below 2 %. Both find the maximum at vertices, or nearly so. Where it is
+// inside a face it depends on single samples, so 5 %. The patterns of colours differ.
 TEST_P(AgainstEvaluator, Agrees) {
   const std::string evaluator = MULTIMESH_EVALUATOR;
   if (evaluator.empty()) GTEST_SKIP() << "no evaluator";
@@ -65,8 +65,8 @@ TEST_P(AgainstEvaluator, Agrees) {
   expect_near(d["hausdorff"], x["hausdorff_rel"], 0.05, "Hausdorff");
   expect_near(t["deviation"]["rms"], y["texture_dev_rms"], 0.05, "texture deviation, rms");
   expect_near(t["deviation"]["p95"], y["texture_dev_p95"], 0.05, "texture deviation, 95 %");
-  // Where charts abut in the atlas, as those of spot do, the evaluator takes some places of one chart for
-  // places of its neighbour, far away: it finds cracks that are not there.
+  // Where charts abut in the atlas, like those of spot, the evaluator takes some places of one chart for
+  // places of its neighbour, far away: it finds cracks that do not exist.
   EXPECT_LE(t["seam_crack"]["rms"].get<double>(), 1.1 * y["seam_crack_rms"].get<double>());
   if (GetParam().model != "spot")
     expect_near(t["seam_crack"]["rms"], y["seam_crack_rms"], 0.10, "seam crack, rms");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// multimesh compare, as it is called.
+// multimesh compare, run as a program.
 #include "test/tools/program.hpp"
 
 namespace multimesh::tools::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Atlases whose charts lie wall to wall: what is measured is the deviation within the chart, not the way to
-// the other end of the model, which the neighbour in the atlas shows.
+// Atlases whose charts touch: the deviation is measured within the chart, not to the other end of the model,
+// which the neighbour in the atlas shows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace multimesh::test {
 namespace {
 
-/// The unit square in side x side charts, each in a cell of the atlas that is drawn by lot, with a gap around
-/// it relative to the cell.
+/// The unit square in side x side charts, each in a randomly drawn cell of the atlas, with a gap around it
+/// relative to the cell.
 class Atlas {
  public:
   Atlas(int side, double gap, unsigned seed)
@@ -22,7 +22,7 @@ class Atlas {
     std::shuffle(cell_.begin(), cell_.end(), random);
   }
 
-  /// Each chart swollen in the atlas by a factor around its middle.
+  /// Each chart enlarged in the atlas by a factor around its middle.
   TexturedTriangles surface(int columns_per_chart, double swollen) const {
     const int n = side_ * columns_per_chart;
     return plane({0, 1, 0, 1, n, n}, [&](const Vec3& p, const Vec3& centroid) {

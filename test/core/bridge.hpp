@@ -10,7 +10,7 @@
 #include "oracle/complex.hpp"
 #include "test/support/trees.hpp"
 
-/// Between the library and the oracles, which know plain lists of facets only.
+/// Conversions between the library and the oracles, which know only plain lists of facets.
 namespace multimesh::test {
 
 /// The live facets of a mesh, with its vertex indices.
@@ -45,8 +45,8 @@ struct EdgeCopy {
 };
 std::vector<EdgeCopy> edge_copies(const MultiMesh& tree, Dart root_edge);
 
-/// Facets as sets of vertices, and vertex images: what two trees must have in common to be the same one.
-/// `renamed`: per node, vertices that count as others.
+/// Facets as sets of vertices, and vertex images: two trees are the same if these are equal. `renamed`: per
+/// node, vertices that are counted under other names.
 struct PlainTree {
   std::vector<oracle::SimplexSet> facets;
   std::vector<std::map<int, int>> images;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The conformance suite over the mesh type of examples/09_own_mesh.cpp: so does a user with a type of his
-// own.
+// The conformance suite over the mesh type of examples/09_own_mesh.cpp, as a user would run it on a type of
+// their own.
 #include "examples/own_mesh.hpp"
 #include "test/core/mesh_cases.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compaction anywhere in a sequence of operations changes nothing that can be observed.
+// Compaction anywhere in a sequence of operations has no observable effect.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every mesh promises about darts and neighbourhoods, against brute force over vertex sets.
+// The contract of every mesh about darts and neighbourhoods, against brute force over vertex sets.
 #include <gtest/gtest.h>
 
 #include <algorithm>

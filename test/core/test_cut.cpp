@@ -25,7 +25,7 @@ oracle::Complex complex_of_list(const FacetList& list) {
   return c;
 }
 
-/// Everything that cut() promises whatever its input is.
+/// Everything that cut() guarantees for any input.
 void expect_cut(const FacetList& in, const Cut& out) {
   ASSERT_EQ(out.facets.size(), in.size());
   ASSERT_EQ(out.reversed.size(), in.size());
@@ -227,7 +227,7 @@ TEST(Cut, MakesAnySoupAManifoldProperComplex) {
   }
 }
 
-// What is manifold already stays in one piece, however its facets are ordered and turned.
+// Manifold input stays in one piece, however its facets are ordered and oriented.
 TEST(Cut, KeepsShuffledMeshesWhole) {
   std::mt19937 random(2);
   for (const Shape& s : {grid(3, 4), annulus(4, 2), torus(4, 4), sphere(1), disk(6), six_cycle(),

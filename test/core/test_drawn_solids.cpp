@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Operations on small tetrahedral trees drawn by hand: what becomes of each child, by numbers of facets.
+// Operations on small tetrahedral trees drawn by hand: the effect on each child, in numbers of facets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -152,7 +152,7 @@ TEST(CollapseSolid, TakesACurveAlong) {
   EXPECT_EQ(single.collapse(2, 7).refusal.node, line);
 }
 
-// A ring holds vertex 0 where it is, a line vertex 2: with both, neither end may move.
+// A ring holds vertex 0 in place, a line vertex 2: with both, neither end may move.
 TEST(CollapseSolid, IsRefusedWhereTwoCurvesHoldBothEnds) {
   SixCycle s;
   (void)s.ring();

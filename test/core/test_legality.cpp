@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Verdicts on collapses against brute force: identify the ends, and see what has changed.
+// Verdicts on collapses against brute force: identify the ends, and check what has changed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace multimesh::test {
 namespace {
 
-/// Whether images keep their type is asked by test/property/test_legality_oracle.cpp.
+/// test/property/test_legality_oracle.cpp tests whether images keep their type.
 class CollapseVerdicts : public testing::TestWithParam<oracle::TreeKind> {
  protected:
   /// test(tree, plain tree, its signature) on random trees of this kind.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The local operations of one mesh, on every edge: results against brute force over vertex sets, and the
-// promises about dart names that the maps rely on.
+// guarantees about dart names on which the maps rely.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -231,7 +231,7 @@ TEST_P(MeshOperations, FlipReplacesTheDiagonalAndKeepsTheOuterDarts) {
 INSTANTIATE_TEST_SUITE_P(Meshes, MeshOperations, testing::ValuesIn(mesh_cases()),
                          [](const auto& mesh_case) { return mesh_case.param.name; });
 
-// Small complexes are where link conditions fail in all ways.
+// Small complexes are where link conditions fail in all possible ways.
 TEST(LinkCondition, IsThatOfTheVertexSetsOnRandomSurfaces) {
   for (unsigned seed = 0; seed < 400; ++seed) {
     std::mt19937_64 random(seed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls from the middle of an operation, and additions inside a transaction: refused, and the tree is as it
-// was.
+// Calls in the middle of an operation, and additions inside a transaction: refused, and the tree is
+// unchanged.
 #include <gtest/gtest.h>
 
 #include "multimesh/column.hpp"
@@ -18,7 +18,7 @@ struct Call {
 Dart inner_edge(const Tree& t) {
   return edge(t, NodeId::root, 0, 1);
 }
-/// Of the mesh as it is in the middle of an operation.
+/// A dart of the mesh in its state in the middle of an operation.
 Dart any(const Tree& t) {
   const Mesh& root = t.tree->mesh(NodeId::root);
   Index f = 0;
@@ -166,7 +166,7 @@ TEST_P(Nested, CallsAreRefusedAndLeaveTheTreeAsItWas) {
     }
 }
 
-// Whoever catches the error himself gets the operation that he had asked for.
+// If a callback catches the error itself, the operation that was requested is still done.
 TEST_P(Nested, CallsThatAreCaughtDoNoHarm) {
   const auto t = some_tree(), alone = some_tree();
   FunctionInvariant i("hook", [&](const Event&) {

@@ -81,7 +81,7 @@ TEST(Orient3d, AgreesWithIntegersWhereCoordinatesHaveAllScales) {
   }
 }
 
-// With n = d - a, where that is exact, the direction and the point say the same.
+// With n = d - a, where that is exact, the direction and the point give the same sign.
 TEST(Orient3d, AgainstADirectionIsThatOfAPointInIt) {
   std::mt19937_64 random(9);
   int flat = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An operation of a user's own, as docs/extending.md shows it: a swap made of a split and a collapse.
+// An operation of your own, as in docs/extending.md: a swap made of a split and a collapse.
 #include <gtest/gtest.h>
 
 #include "multimesh/validate.hpp"

@@ -116,7 +116,7 @@ TEST(Placement, HoldsAJunction) {
   }
 }
 
-// Each end lies on another curve: neither may leave its own.
+// Each end lies on another curve: neither may leave its curve.
 //      1---2     curves 3-1 and 4-2 ... of two_neighbors: edge 1-2 joins them
 TEST(Placement, IsImpossibleBetweenTwoCurves) {
   Tree t(grid(3, 3));

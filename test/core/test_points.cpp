@@ -168,7 +168,7 @@ const std::vector<TreeKind>& kinds_with_points() {
 
 class StormOnPoints : public testing::TestWithParam<TreeKind> {};
 
-// As long as nobody moves a vertex, every point stays at its place, with its own values.
+// Unless a vertex is moved, every point stays at its place, with its own values.
 TEST_P(StormOnPoints, LeavesEachPointWhereItIsWithItsValues) {
   std::size_t done = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {

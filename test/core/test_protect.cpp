@@ -13,7 +13,7 @@
 namespace multimesh::test {
 namespace {
 
-/// A value that no journal of ours knows.
+/// A value that none of our journals covers.
 struct Label {
   std::string text;
   std::vector<int> numbers;

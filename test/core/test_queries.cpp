@@ -40,7 +40,7 @@ class Queries : public testing::TestWithParam<unsigned> {
     }
   }
   int dimension(NodeId n) const { return tree_.mesh(n).dimension(); }
-  /// All of them; of a tetrahedral mesh every fifth, which is prime to their number per facet.
+  /// All darts; of a tetrahedral mesh every fifth, which is prime to their number per facet.
   static DartBuffer some_darts(const Mesh& mesh) {
     const DartBuffer all = all_darts(mesh);
     DartBuffer some;

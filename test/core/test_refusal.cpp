@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A refused operation and one that is interrupted leave every word as it was.
+// An operation that is refused or interrupted leaves every word as it was.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The priority scheduler leaves nothing behind: after each operation, what it changed is in the queue.
+// The priority scheduler misses nothing: after each operation, everything that it changed is in the queue.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ TEST(PriorityScheduler, SplitsTreesOfAllKindsUntilNothingIsTooLong) {
   }
 }
 
-/// A vertex goes into the middle of a triangle while one of its sides is too long.
+/// A vertex is inserted at the middle of a triangle while one of its sides is too long.
 struct Inserting : Splitting {
   using Splitting::Splitting;
   Outcome apply(Dart e, double) {

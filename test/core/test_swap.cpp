@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The native flip against the split and collapse that defines it.
+// The native swap against the split and collapse that defines it.
 #include <gtest/gtest.h>
 
 #include "multimesh/validate.hpp"
@@ -59,8 +59,8 @@ TEST(Swap, EqualsSplitAndCollapseWhereSurfacesCoverTheirParents) {
   EXPECT_GT(refused, 100U);
 }
 
-// Where a surface covers a part only, split and collapse may also move the edge of that part; the flip does
-// not. What the flip accepts is the same.
+// Where a surface covers only a part, split and collapse may also move the edge of that part; the native swap
+// does not. What the native swap accepts is the same.
 TEST(Swap, IsNeverMoreThanSplitAndCollapse) {
   for (unsigned seed = 200; seed < 350; ++seed) {
     const auto t = random_small_tree(seed);

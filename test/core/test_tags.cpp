@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Children made of tagged simplices: non-manifold places come apart.
+// Children made of tagged simplices: separated at non-manifold places.
 #include <gtest/gtest.h>
 
 #include <set>

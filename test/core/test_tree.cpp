@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree itself: building, refusing bad maps, names of nodes, taking it apart.
+// The tree itself: building it, refusing bad maps, names of nodes, taking it apart.
 #include <gtest/gtest.h>
 
 #include <set>

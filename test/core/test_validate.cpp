@@ -178,7 +178,7 @@ TEST_P(MutationOfMaps, OfALinkIsReported) {
     const Mesh& mesh = tree_.mesh(n);
     Mesh& above = tree_.mesh(tree_.parent(n));
     const Mesh::LinkSet links = links_of(n);
-    // Links of dead simplices can be seen by nothing: they are excluded.
+    // Links of dead simplices cannot be observed: they are excluded.
     for (const Dart s : simplices_of(above, mesh.dimension())) {
       const Index old = above.link(links, s);
       std::vector<Index> others{no_index, mesh.capacity(mesh.dimension()) + 5};

@@ -9,7 +9,7 @@
 
 namespace multimesh::test {
 
-/// Something of the user's that the library cannot know.
+/// A user's type that the library cannot know.
 struct Custom {
   int id = -1;
   std::vector<std::string> names;

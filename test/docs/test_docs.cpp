@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The documents: links lead somewhere, and code that is shown is code that is compiled and run.
+// The documents: links lead to existing files, and code that is shown is compiled and run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST(Documents, LinkToFilesThatExist) {
   EXPECT_GT(links, 50U);
 }
 
-// A path that exists on its writer's machine only helps nobody else.
+// A path that exists only on its writer's machine helps nobody else.
 TEST(Documents, NameNoPathOfOneMachine) {
   const std::regex path(R"((^|[\s`"'(])/(work|home|root|Users|mnt)/)");
   for (const fs::path& document : documents())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cutting in dimension 3: tetrahedra stay, and what comes out is a manifold mesh that TetMesh takes.
+// Cutting in dimension 3: tetrahedra stay, and the result is a manifold mesh that TetMesh accepts.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tetrahedra read and written in two lines: regions, patches, curves and their names go with them.
+// Tetrahedra read and written in two lines, with regions, patches, curves and their names.
 #include "multimesh/files/domain_file.hpp"
 #include "multimesh/files/surface_file.hpp"
 #include "test/domain/box.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces read and written in two lines: materials, groups and warnings go with them.
+// Surfaces read and written in two lines, with materials, groups and warnings.
 #include "multimesh/algorithms/surface_topology.hpp"
 #include "multimesh/files/materials.hpp"
 #include "multimesh/files/surface_file.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Periodic tiles: what is glued is in the file.
+// Periodic tiles: the file declares what is glued.
 #include "multimesh/files/tile_file.hpp"
 #include "multimesh/validate.hpp"
 #include "test/files/folder.hpp"

@@ -6,8 +6,8 @@
 
 namespace multimesh::test {
 
-/// Bytes as a file of a mesh: the first one chooses the extension. \return whether it was read; else it was
-/// an InputError. Anything else that a reader does is a fault, and goes out.
+/// Reads bytes as a file of a mesh: the first one chooses the extension. \return whether it was read;
+/// otherwise there was an InputError. Any other exception of a reader is a bug, and propagates.
 bool read_bytes(std::span<const std::uint8_t> bytes);
 
 }  // namespace multimesh::test

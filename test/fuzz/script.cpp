@@ -131,7 +131,7 @@ std::optional<Dart> Script::some_dart(NodeId n) {
   return mesh.reorder(mesh.dart_of(d, f), {static_cast<std::uint8_t>(bytes_.below(number_of_orders(d)))});
 }
 
-// The first byte after the choice: how it is disturbed, and where it is asked for.
+// The first byte after the choice: how it is disturbed, and on which mesh it is requested.
 void Script::operate(std::size_t choice) {
   const auto nodes = tree_->tree->nodes();
   const std::size_t disturbed = bytes_.below(8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scripts of operations that the fuzzer found (corpus/: between them they reach all that it could reach;
+// Scripts of operations that the fuzzer found (corpus/: together they reach everything that it could reach;
 // crashes/: each once failed), and random ones.
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 
 namespace multimesh::test {
 
-/// What a list of tetrahedra is, rebuilt from nothing but their corners' coordinates: points with the same
-/// ones are the same. Shares no code with the library.
+/// Facts about a list of tetrahedra, computed only from their corners' coordinates: points with equal
+/// coordinates are the same. Shares no code with the library.
 struct FlatListFacts {
   long components = 0, face_components = 0, euler = 0, boundary_euler = 0, pinched_edges = 0;
   long crowded_faces = 0, hanging = 0;

@@ -96,7 +96,7 @@ inline const std::vector<Form> surface_forms = {{"a.off", {}},
                                                 {"b.stl", {.binary = true}},
                                                 {"a.obj", {}}};
 
-/// What a reader gives must fit together, whatever it was given.
+/// The result of a reader must be consistent, whatever the input was.
 inline void expect_valid(const SimplexSoup& soup) {
   for (std::size_t k = 0; k < 4; ++k) {
     const auto& block = soup.simplices[k];

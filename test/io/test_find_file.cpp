@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that a file names: found as other programs and machines write their names, and only where they may
-// be.
+// Files that a file names: found under the names that other programs and machines write, and only where this
+// is allowed.
 #include "adapters/io/find_file.hpp"
 #include "adapters/io/mtl.hpp"
 #include "io_fixture.hpp"

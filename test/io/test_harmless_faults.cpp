@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong in a file and does no harm: it is read, and a warning says so.
+// Harmless errors in a file: it is read, and a warning reports them.
 #include <array>
 #include <cmath>
 #include <random>
@@ -87,7 +87,7 @@ TEST(NotFinite, InOtherFormats) {
   EXPECT_EQ(read.notes.nonfinite_texcoords, 1U);
 }
 
-// Whatever their share: the others are what is read.
+// Whatever their share: the other faces are read.
 TEST(LeftOut, RepeatedAndCollapsedFacesAmongGoodOnes) {
   std::mt19937 random(3);
   for (int round = 0; round < 60; ++round) {

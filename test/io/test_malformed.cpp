@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What read_mesh says of every file that is wrong on purpose, of what is no file, and of the good ones.
+// The messages of read_mesh on every file that is wrong on purpose, on what is not a file, and on good ones.
 #include <map>
 
 #include "io_fixture.hpp"

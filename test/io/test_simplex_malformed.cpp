@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of every format that are cut short or have a wrong byte: an InputError or a soup that fits together.
+// Truncated or corrupted files of every format: an InputError or a consistent soup.
 #include "adapters/io/msh_reader.hpp"
 #include "simplex_fixture.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What we write is read by Gmsh and meshio, and what they make of it is what we wrote.
+// Gmsh and meshio read what we write, and what they write of it is what we wrote.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

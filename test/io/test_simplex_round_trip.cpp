@@ -83,8 +83,8 @@ TEST_F(SimplexRoundTrip, NegativeTagsWhereTheFormatHasThem) {
     }
 }
 
-/// Whatever tags there are, every element of a Gmsh file has a positive one: the same for those of one tag,
-/// another one for those of another, and positive ones are what they were.
+/// Whatever the tags, every element of a Gmsh file has a positive one: equal for equal tags, different for
+/// different ones; positive tags are unchanged.
 TEST_F(SimplexRoundTrip, GmshTagsArePositiveAndAsDifferentAsBefore) {
   for (int seed = 0; seed < 40; ++seed)
     for (const Form& form : volume_forms) {
@@ -150,7 +150,7 @@ TEST_F(SimplexRoundTrip, FormatsOfOneTagSayWhatItStandsFor) {
   }
 }
 
-/// However the regions lie among each other, a file of version 4.1 has one block for each of them.
+/// However the regions are interleaved, a file of version 4.1 has one block for each of them.
 TEST_F(SimplexRoundTrip, Msh41HasOneBlockForEachEntity) {
   SimplexSoup soup;
   for (std::uint32_t i = 0; i < 3000; ++i) soup.points.push_back({1.0 * i, 0.5 * i, 0.1 * i});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every file of the shared collection is read with the numbers that its manifest has, which other programs
-// counted, or is refused with the reason.
+// Every file of the shared collection is read with the numbers of its manifest, which other programs counted,
+// or is refused with the reason.
 #include <map>
 #include <regex>
 #include <sstream>

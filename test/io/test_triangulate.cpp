@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The oracle: n-2 triangles whose directed edges, once inner ones cancel, are the polygon's; and for polygons
-// that are simple, no triangle turned over and the areas adding up to the polygon's.
+// The oracle: n-2 triangles whose directed edges, after inner ones cancel, are the polygon's; for simple
+// polygons also no flipped triangle, and areas that add up to the polygon's.
 #include <cmath>
 #include <ctime>
 #include <functional>

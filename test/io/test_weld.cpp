@@ -17,7 +17,7 @@ double distance(const Point& p, const Point& q) {
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-/// As the header says it, by comparing all pairs.
+/// As specified in the header, by comparing all pairs.
 std::vector<std::uint32_t> by_all_pairs(const Points& points, double tolerance) {
   std::vector<std::uint32_t> joins(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {

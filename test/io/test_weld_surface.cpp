@@ -177,7 +177,7 @@ TEST(WeldSurface, LargerNoiseIsToldAndJoinedIfWanted) {
   EXPECT_EQ(partition(noisy), partition(whole));
 }
 
-// Joined, the small triangle would have its three corners at one place, or turn over.
+// If joined, the small triangle would have its three corners at one place, or flip.
 TEST(WeldSurface, NoFaceTurnsOverInTheTexture) {
   PolygonSoup soup =
       obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1e-8 0\nvt 0 1e-8\nvt 0 2e-8\nvt 2e-8 0\nvt 1 1\n"
@@ -230,8 +230,8 @@ TEST(WeldSurface, ClosedPartsThatTouchStayApart) {
     EXPECT_EQ(report.welded, 0U);
     EXPECT_EQ(report.copied_faces, 0U);
     EXPECT_EQ(soup.corners, before);
-    // Nothing says any longer which corner belongs to which cube. Where whole faces touch, those of the
-    // second one are a layer of their own, and nothing of either is lost.
+    // Nothing tells any more which corner belongs to which cube. Where whole faces touch, those of the second
+    // cube are in a separate layer, and nothing of either is lost.
     soup = exploded(obj(text));
     weld_surface(soup, {}, "a.obj");
     EXPECT_EQ(soup.face_count(), 12U);

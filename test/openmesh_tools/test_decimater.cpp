@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenMesh's decimaters on the root of a tree: by the module, and by the mesh that hides its operations.
+// OpenMesh's decimaters on the root of a tree: with the module, and with the mesh that hides its operations.
 #include <gtest/gtest.h>
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
@@ -234,7 +234,7 @@ TYPED_TEST(DecimaterOfOpenMesh, NeedsItsTree) {
   EXPECT_THROW(decimater.initialize(), UsageError);
 }
 
-/// Forbids nothing in advance: every opinion is stale.
+/// Rejects nothing in advance: every decision is stale.
 template <class MeshT>
 class Blind : public ModMultimeshT<MeshT> {
  public:

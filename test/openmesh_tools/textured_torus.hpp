@@ -52,7 +52,7 @@ void make_torus(Mesh& mesh, int n, int m, int charts, bool open) {
       face({{{i, j}, {i + 1, j}, {i + 1, j + 1}}}), face({{{i, j}, {i + 1, j + 1}, {i, j + 1}}});
 }
 
-/// Triangles whose texture coordinates run the other way round, or have no area.
+/// Triangles whose texture coordinates have the opposite orientation, or no area.
 template <class Mesh>
 std::size_t mirrored_triangles(const Mesh& mesh) {
   std::size_t mirrored = 0;

@@ -10,7 +10,7 @@
 
 namespace multimesh::oracle {
 
-/// What came of a collapse by identification.
+/// The result of a collapse by identification.
 struct CollapseResult {
   bool valid = false;                      ///< `tree` is a valid tree, see collapse()
   std::string reason;                      ///< why not

@@ -10,7 +10,7 @@
 
 #include "oracle/simplex.hpp"
 
-/// Brute-force topology on plain data, independent of the library it judges. Meant for complexes of at most
+/// Brute-force topology on plain data, independent of the library that it judges. For complexes of at most
 /// some 60 facets. Everything is a pure function and may be called from several threads.
 namespace multimesh::oracle {
 
@@ -39,7 +39,7 @@ struct Tree {
 /// The dummy vertex to which boundaries are coned. Smaller than any vertex.
 inline constexpr int kOmega = std::numeric_limits<int>::min();
 
-/// A value that can be compared; two equal ones mean the same topological type (see who returns it).
+/// A comparable value; equal values mean the same topological type (see the functions that return it).
 using Signature = std::vector<std::int64_t>;
 
 /// The facet as a vertex set; of fewer vertices than dim + 1 when it is degenerate.

@@ -8,7 +8,7 @@
 
 namespace multimesh::oracle {
 
-/// What image_signature() looks at.
+/// What image_signature() compares.
 struct SignatureOptions {
   bool host_boundary = true;  ///< contact of an image with the boundary of its host counts; see overlay.hpp
   bool siblings = false;      ///< also the joint type of all children of each mesh (their contacts)

@@ -23,9 +23,9 @@ std::size_t pick(std::mt19937_64& rng, std::size_t n);
 /// Whether an event of `percent` % happens.
 bool chance(std::mt19937_64& rng, std::size_t percent);
 
-/// A random triangulation: the base surface, splits until some facets more than wanted, flips, and collapses
-/// that satisfy the link condition. Has `facets` facets, one less for parity, or more where that many are not
-/// enough (the torus needs 14).
+/// A random triangulation: the base surface, splits until there are some facets more than requested, swaps,
+/// and collapses that satisfy the link condition. Has `facets` facets, one less for parity, or more where
+/// that many are not enough (the torus needs 14).
 Complex random_surface(Surface kind, std::size_t facets, std::mt19937_64& rng);
 
 }  // namespace multimesh::oracle

@@ -31,7 +31,7 @@ enum class TreeKind {
 inline constexpr int kNumberOfTreeKinds = 13;
 
 std::string to_string(TreeKind kind);
-/// Found by GoogleTest, which prints the bytes of a parameter otherwise.
+/// Used by GoogleTest, which would otherwise print the bytes of a parameter.
 inline void PrintTo(TreeKind kind, std::ostream* out) {
   *out << to_string(kind);
 }

@@ -5,7 +5,7 @@
 
 #include "oracle/complex.hpp"
 
-/// What complex.hpp promises, for dimension 3.
+/// What complex.hpp specifies, for dimension 3.
 namespace multimesh::oracle {
 
 /// Why distinct, non-degenerate tetrahedra are no manifold: a triangle in more than two, or a vertex whose

@@ -8,7 +8,7 @@
 
 namespace multimesh::oracle {
 
-/// What came of a split.
+/// The result of a split.
 struct SplitResult {
   Tree tree;
   std::vector<std::map<Simplex, int>> vertex;  ///< per node: split edge -> its new vertex

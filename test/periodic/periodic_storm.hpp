@@ -12,7 +12,7 @@ namespace multimesh::test {
 /// faces, and moves.
 class PeriodicStorm {
  public:
-  /// `shape`: whether to refuse what would turn a facet of the tile round.
+  /// `shape`: whether to refuse operations that would invert a facet of the tile.
   PeriodicStorm(PeriodicDomain& domain, unsigned seed, bool shape);
 
   void step();

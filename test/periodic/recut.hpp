@@ -8,9 +8,9 @@
 
 namespace multimesh::test {
 
-/// A tile of a known torus: a grid of squares or cubes whose facets have been taken elsewhere by lattice
-/// vectors, each block of them as a whole. The torus has n^d vertices, and every side has its partner some
-/// lattice vector away.
+/// A tile of a known torus: a grid of squares or cubes whose facets have been moved by lattice vectors, each
+/// block of them as a whole. The torus has n^d vertices, and every side has its partner some lattice vector
+/// away.
 struct RecutTorus {
   PeriodicTile tile;
   PeriodicOptions options;  ///< the periods: another basis of the lattice than the grid's
@@ -23,7 +23,7 @@ enum class Recut {
   plane,   ///< what lies beyond an oblique plane is moved to the other side: cut corners, as of a hexagon
 };
 
-/// Found by GoogleTest, which prints the bytes of a parameter otherwise.
+/// Used by GoogleTest, which would otherwise print the bytes of a parameter.
 inline void PrintTo(Recut r, std::ostream* out) {
   *out << (r == Recut::rows ? "rows" : r == Recut::blocks ? "blocks" : "plane");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tiles that others have made: glued, or refused for the right reason; then ten thousand random operations.
+// Tiles made by others: glued, or refused for the right reason; then ten thousand random operations.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sides whose partners lie sums and differences of periods away.
+// Sides whose partners are sums and differences of periods away.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which vertices are found to be one, and what is said where they cannot be.
+// Which vertices are identified, and the messages where they cannot be.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -12,7 +12,7 @@
 
 namespace multimesh::test {
 
-/// A collapse as the library decided it and as brute force sees it.
+/// A collapse as decided by the library and by brute force.
 struct Trial {
   oracle::Simplex edge;  ///< of the root
   Refusal refusal;       ///< of the operation itself; not refused: it was done, compared, undone
@@ -25,9 +25,9 @@ struct Trial {
   bool unchanged() const { return valid && changed.empty(); }
 };
 
-/// Tries the collapse of every edge of a tree, asked for on a random copy of the edge in a random mesh. An
-/// accepted one is done within a transaction, compared with identification, and undone; so that what counts
-/// is what the operation does, the link conditions of copies after the first included.
+/// Tries the collapse of every edge of a tree, requested on a random copy of the edge in a random mesh. An
+/// accepted collapse is done within a transaction, compared with identification, and undone. So the actual
+/// effect of the operation is tested, including the link conditions of copies after the first.
 class CollapseTrials {
  public:
   /// \pre tree_error(plain) is empty, and all its meshes are orientable

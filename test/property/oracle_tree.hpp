@@ -13,7 +13,7 @@
 #include "oracle/complex.hpp"
 #include "oracle/split.hpp"
 
-/// Between the library's trees and those of the brute-force judges, which know vertices only.
+/// Conversions between the library's trees and those of the brute-force judges, which know only vertices.
 namespace multimesh::test {
 
 /// The tree as meshes and maps of the library: node i becomes NodeId i, facet j facet j, and the vertex of
@@ -35,7 +35,7 @@ std::string tree_difference(const oracle::Tree& expected, const oracle::Tree& ac
 using Renaming = std::vector<std::map<int, int>>;
 oracle::Tree renamed(const oracle::Tree& tree, const Renaming& names);
 
-/// What the operations told about the vertices of every mesh, since clear().
+/// What the operations reported about the vertices of every mesh, since clear().
 class Records {
  public:
   /// Listens to operations; must outlive them.
@@ -57,8 +57,8 @@ class Records {
   std::vector<std::unique_ptr<Listener>> listeners_;
 };
 
-/// Asks the library for the preimages of every simplex in every child, and for the image of every vertex in
-/// the root, and compares with enumeration. \return the first difference, or an empty string
+/// Queries the library for the preimages of every simplex in every child, and for the image of every vertex
+/// in the root, and compares with enumeration. \return the first difference, or an empty string
 std::string query_difference(const MultiMesh& tree, const oracle::Tree& plain);
 
 /// The dart (a, b, ...) of an edge of a mesh, given by its vertices; no_dart if there is none.

@@ -44,8 +44,8 @@ Renaming Records::names_after(const oracle::SplitResult& split) const {
   return names;
 }
 
-// The oracle keeps some vertex of each identified set, the library the one that keeps its place. Where a
-// mesh has several copies of the edge, the survivor of one may die with the next.
+// The oracle keeps some vertex of each identified set, the library the one that keeps its place. If a mesh
+// has several copies of the edge, the survivor of one may die with the next.
 Renaming Records::names_after(const oracle::CollapseResult& collapse) const {
   Renaming names(listeners_.size());
   for (std::size_t i = 0; i < listeners_.size(); ++i) {

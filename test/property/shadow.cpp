@@ -57,7 +57,7 @@ Shadow::Corners Shadow::start(NodeId n, Dart e) {
   return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])};
 }
 
-/// Compares with what the tree should be, and goes on from there.
+/// Compares with the expected tree, and continues from there.
 std::string Shadow::compare(const oracle::Tree& expected, std::size_t& count) {
   ++count;
   if (const auto problems = validate(tree_); !problems.empty()) return problems.front();

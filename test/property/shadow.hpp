@@ -8,13 +8,13 @@
 
 namespace multimesh::test {
 
-/// Operations on a tree, each of them repeated on plain vertex sets by nothing but identification and
+/// Operations on a tree, each of them repeated on plain vertex sets using only identification and
 /// subdivision. The real tree must be the same up to the names of new vertices.
 class Shadow {
  public:
   Shadow(MultiMesh& tree, std::uint64_t seed);
 
-  /// A random operation, asked for on a random mesh. All functions return what differs from brute force, or
+  /// A random operation, requested on a random mesh. All functions return the difference from brute force, or
   /// an empty string. A refused operation must have left everything as it was.
   std::string step();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which collapses are accepted, against brute force: every edge of many random trees is tried, and the result
-// judged by what identification of vertices makes of every mesh and every image.
+// Which collapses are accepted, against brute force: every edge of many random trees is tried, and judged by
+// the effect of identifying vertices on every mesh and every image.
 #include <gtest/gtest.h>
 
 #include <algorithm>

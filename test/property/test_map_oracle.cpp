@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every map, rebuilt by brute force: operations are repeated on plain vertex sets by nothing but
-// identification and subdivision, and the real tree must be the same up to the names of new vertices.
+// Every map, rebuilt by brute force: operations are repeated on plain vertex sets using only identification
+// and subdivision, and the real tree must be the same up to the names of new vertices.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ TEST_P(MapOracle, RandomPlainTreesEqualBruteForceAfterEachOperation) {
 
 class MapOracleInSolids : public testing::TestWithParam<int> {};
 
-// All that is promised of collapses is promised of swaps, which end with one.
+// Everything that is guaranteed for collapses is guaranteed for swaps, which end with one.
 TEST_P(MapOracleInSolids, RandomPlainTreesEqualBruteForceAfterEachOperation) {
   const auto kind = static_cast<oracle::SolidTreeKind>(GetParam());
   const bool is_guarded =

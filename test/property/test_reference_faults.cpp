@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faults that the reference implementation of multimeshes was found to have in two dimensions: each has a
-// test here that would catch it.
+// Faults that were found in the reference implementation of multimeshes in two dimensions: for each there is
+// a test here that would catch it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -160,7 +160,7 @@ TEST(ReferenceFaults, OperationsReachGrandchildrenOfCurves) {
   }
 }
 
-// The same edge, asked for on each mesh that has a copy of it: the same thing happens, everywhere. (New
+// The same edge, requested on each mesh that has a copy of it: the effect is the same everywhere. (New
 // vertices may get other numbers, hence brute force as the judge.)
 TEST(ReferenceFaults, ItDoesNotMatterOnWhichMeshAnOperationIsAskedFor) {
   std::size_t from_great_grandchild = 0;

@@ -88,7 +88,7 @@ TEST(ReferenceFaults3, MapsAreJudgedInAllTetrahedraAroundTheEdge) {
 // --- grandchildren are looked up in the wrong list
 // ----------------------------------------------------------
 
-// The same edge, asked for on each mesh that has a copy of it: the same happens, everywhere.
+// The same edge, requested on each mesh that has a copy of it: the effect is the same everywhere.
 TEST(ReferenceFaults3, ItDoesNotMatterOnWhichMeshAnOperationIsAskedFor) {
   std::size_t from_grandchild = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -168,7 +168,8 @@ TEST_F(PeriodicCorners, HaveEightCopiesAndAllMoveTogether) {
   EXPECT_EQ(vertices, (std::map<std::size_t, std::size_t>{{1, 27}, {2, 27}, {4, 9}, {8, 1}}));
 }
 
-// Split, collapse at, swap around a vertex with so many copies: all goes, and they keep their place.
+// Split, collapse and swap around a vertex with so many copies: all are possible, and the copies keep their
+// place.
 TEST_F(PeriodicCorners, TakePartInEveryOperation) {
   std::map<std::size_t, std::size_t> splits, collapses;
   std::vector<Index> edges;

@@ -13,7 +13,7 @@
 namespace multimesh::test {
 namespace {
 
-/// One operation on one mesh: what the library told of its vertices.
+/// One operation on one mesh: what the library reported about its vertices.
 struct Told {
   Operation operation;
   std::size_t node;

@@ -14,8 +14,8 @@
 
 namespace multimesh::test {
 
-/// Values of all kinds on all simplices of one mesh, in the library's ways: properties that nobody asked for,
-/// columns over properties, columns over plain vectors.
+/// Values of all kinds on all simplices of one mesh, stored in all of the library's ways: properties that
+/// follow without a call, columns over properties, columns over plain vectors.
 class ValueColumns {
  public:
   /// Random values on everything.

@@ -14,8 +14,8 @@ using Vertices = std::set<unsigned>;
 
 /// One value per kind of rule. Not every kind is used on every kind of simplex.
 struct Values {
-  int carried = 0;      ///< a property that nobody asked for
-  int plain = 0;        ///< in a vector of the test's own, by the rules that hold without any
+  int carried = 0;      ///< a property that follows without a call
+  int plain = 0;        ///< in a vector of the test's own, by the default rules
   unsigned flags = 0;   ///< united
   unsigned status = 0;  ///< the bits of OpenMesh's edge status
   int larger = 0;

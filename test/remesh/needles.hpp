@@ -12,7 +12,7 @@ namespace multimesh::test {
 enum class Cap { fan, corner, strip, halves };
 inline constexpr Cap all_caps[] = {Cap::fan, Cap::corner, Cap::strip, Cap::halves};
 std::string name(Cap cap);
-/// Found by GoogleTest, which prints the bytes of a parameter otherwise.
+/// Used by GoogleTest, which would otherwise print the bytes of a parameter.
 inline void PrintTo(Cap cap, std::ostream* out) {
   *out << name(cap);
 }

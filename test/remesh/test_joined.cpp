@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces that are not manifold, and seams that touch: what a reader of the result will see is what a reader
-// of the input saw.
+// Surfaces that are not manifold, and seams that touch: a reader of the result finds the same topology as a
+// reader of the input.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Long thin triangles, as CAD programs write: the length is reached, and the work is what the result needs.
+// Long thin triangles, as CAD programs write: the length is reached, with no more work than the result needs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,7 +73,7 @@ void expect_even(const TexturedTriangles& in, double relative, double angle) {
   if (before.not_two_faces == 0) {
     EXPECT_EQ(after.not_two_faces, 0U);
   }
-  // Every operation is one on the way, not one there and back.
+  // No operation reverses another one.
   EXPECT_LE(r.splits + r.collapses, 4 * (before.faces + after.faces));
 }
 
@@ -112,8 +112,8 @@ TEST(NeedlesOnAPlate, BecomeEven) {
       for (const double angle : {0.0, 40.0}) expect_even(plate(segments, 0.25), length, angle);
 }
 
-// Edges that stay whole, long ones at the sides and short ones at the hole: what lies beside them gets no
-// flatter with each round, and there is an end.
+// Edges that are never split, long ones at the sides and short ones at the hole: triangles beside them do not
+// get flatter with each round, and the run ends.
 TEST(LockedBoundary, MakesNoEndlessWork) {
   for (const int segments : {24, 100, 1000}) {
     SCOPED_TRACE(segments);
@@ -163,7 +163,7 @@ double time_per_operation(const TexturedTriangles& in) {
   return seconds / static_cast<double>(r.splits + r.collapses + r.swaps + r.moves);
 }
 
-// Small patches beside thousands of needles: a closest point of theirs is found without asking these.
+// Small patches beside thousands of needles: their closest points are found without visiting the needles.
 TEST(TimePerOperation, DoesNotDependOnLargeStars) {
   const double few = time_per_operation(drilled_plate(24, 0.1, 0.2, 0.5, 0.4));
   const double many = time_per_operation(drilled_plate(2000, 0.1, 0.2, 0.5, 0.4));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Remeshing of textured surfaces: lengths, what is kept, where vertices and texture coordinates are.
+// Remeshing of textured surfaces: lengths, what is kept, positions and texture coordinates of vertices.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ Remeshed remeshed(const TexturedTriangles& input, double length, int iterations 
 
 class RemeshMade : public testing::TestWithParam<MadeSurface> {};
 
-// Finer, as it is, coarser.
+// Finer, equal, coarser.
 TEST_P(RemeshMade, KeepsTopologySeamsAndSides) {
   for (const double share : {0.4, 1.0, 1.7}) {
     SCOPED_TRACE(share);
@@ -60,7 +60,7 @@ TEST_P(RemeshMade, KeepsTopologySeamsAndSides) {
   }
 }
 
-// A chart that is an affine map of its plane stays one, whatever moves in it and along its seams.
+// A chart that is an affine map of its plane stays one, whatever moves inside it and along its seams.
 TEST_P(RemeshMade, TextureCoordinatesAreThoseOfTheInputThere) {
   const MadeSurface& made = GetParam();
   if (made.maps.empty()) GTEST_SKIP() << "no affine charts";

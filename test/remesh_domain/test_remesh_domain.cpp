@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The surface inside tetrahedra is remeshed, and all that it lies in and carries goes along.
+// The surface inside tetrahedra is remeshed, and everything around and on it follows.
 #include <gtest/gtest.h>
 
 #include <algorithm>

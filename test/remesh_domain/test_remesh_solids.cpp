@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Solids that touch themselves in points and edges: their surface remeshed, and joined again, they are what
-// they were.
+// Solids that touch themselves in points and edges: after remeshing of their surface, and joined again, they
+// have the same topology.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -29,9 +29,9 @@ class Words {
     }
   }
 
-  /// Which slots are dead, and corners and neighbours of the others: what is in a dead slot that is used
-  /// again does not come back. What the mesh keeps to itself (the order in which it does so) shows in what
-  /// comes next.
+  /// Which slots are dead, and corners and neighbours of the others: the contents of a dead slot that is
+  /// reused are not restored. Internal state of the mesh (the order in which it reuses slots) shows in later
+  /// operations.
   void connectivity(const tet::TetMesh& mesh) {
     put(std::uint64_t{mesh.capacity(0)}), put(std::uint64_t{mesh.capacity(3)});
     for (Index v = 0; v < mesh.capacity(0); ++v) {

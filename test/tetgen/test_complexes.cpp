@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several materials, listed as files do: what is enclosed is found once more by filling voxels.
+// Several materials, listed as in files: the enclosed regions are found a second time by filling voxels.
 #include <gtest/gtest.h>
 
 #include <algorithm>

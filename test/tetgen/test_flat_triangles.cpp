@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles without area, whose neighbours meet in no whole edge once they are gone.
+// Triangles without area, whose neighbours do not meet in whole edges after they are removed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -18,8 +18,8 @@ enum class Listing {
   by_solid,  ///< the same, solid after solid
 };
 
-/// Cubes of materials in a grid, 0 being empty, and walls between some that have the same material. What the
-/// regions are is found by filling voxels.
+/// Cubes of materials in a grid, 0 being empty, and walls between some that have the same material. The
+/// regions are found by filling voxels.
 class Voxels {
  public:
   Voxels(int size, std::vector<int> materials);

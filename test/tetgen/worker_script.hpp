@@ -9,7 +9,7 @@
 
 namespace multimesh::test {
 
-/// A shell script in place of the worker, for what the real one does not do on demand.
+/// A shell script in place of the worker, for behaviour that the real one does not show on demand.
 class WorkerScript {
  public:
   explicit WorkerScript(const std::string& lines) {

@@ -23,7 +23,7 @@ struct Ended {
   std::string out, err;
 };
 
-/// The program as a process of its own, in a fresh directory that is removed at the end of the test.
+/// Runs the program in a process of its own, in a fresh directory that is removed at the end of the test.
 class ProgramTest : public ::testing::Test {
  protected:
   void SetUp() override;

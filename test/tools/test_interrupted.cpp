@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A run that is ended from outside leaves no partial output and no temporary file.
+// A run that is interrupted from outside leaves no partial output and no temporary file.
 #include <unistd.h>
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that are wrong on purpose: exit status 1, a message naming the file and where, nothing written.
+// Files that are wrong on purpose: exit status 1, a message naming the file and the place, nothing written.
 #include <regex>
 #include <set>
 

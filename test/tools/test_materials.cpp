@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Materials and groups face by face, material libraries and textures seen from the output.
+// Materials and groups face by face; material libraries and textures relative to the output.
 #include <array>
 #include <cmath>
 #include <map>

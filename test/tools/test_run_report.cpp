@@ -74,7 +74,7 @@ std::vector<std::string> warnings_of(const std::string& err) {
   return list;
 }
 
-/// With what is the same in any two runs.
+/// Only the fields that are equal in any two runs.
 Json without_time(Json j) {
   j.erase("seconds");
   if (j.contains("collapses")) j["collapses"].erase("seconds");

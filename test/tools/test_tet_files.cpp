@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the commands keep of a tetrahedral file, and how they take odd ones, end to end. Peers (meshio, gmsh)
-// are asked where they are installed.
+// What the commands keep of a tetrahedral file, and how they treat unusual ones, end to end. Peers (meshio,
+// gmsh) are run if they are installed.
 #include <cstdlib>
 #include <set>
 

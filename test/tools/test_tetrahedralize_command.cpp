@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tetrahedralize end to end: several materials, names, seeds, what is missed, and what does not end.
+// tetrahedralize end to end: several materials, names, seeds, missed sizes, and runs that do not end.
 #include <signal.h>
 
 #include <chrono>

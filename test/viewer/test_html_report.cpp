@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The file as text; what a browser makes of it is tested by *.page.mjs.
+// The file as text; *.page.mjs tests how a browser shows it.
 #include "multimesh/error.hpp"
 #include "temporary_directory.hpp"
 #include "tools/html_report.hpp"

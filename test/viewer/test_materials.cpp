@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Materials and their images, from the files to what a page is given.
+// Materials and their images, from the files to the page's data.
 #include "temporary_directory.hpp"
 #include "tools/html_mesh.hpp"
 #include "tools/html_textures.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a project that uses all of our libraries writes: core, openmesh, io, algorithms, files, spatial,
-// compare and remesh.
+// A project that uses all of our libraries: core, openmesh, io, algorithms, files, spatial, compare and
+// remesh.
 #include <cstdio>
 #include <exception>
 
