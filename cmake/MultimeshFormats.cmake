@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What the io library reads and writes compressed and XML files with: pugixml (MIT) and zlib (Zlib).
+# Libraries with which io reads and writes compressed and XML files: pugixml (MIT) and zlib (Zlib).
 
 find_package(ZLIB QUIET GLOBAL)
 find_package(pugixml CONFIG QUIET GLOBAL)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What every target of ours has in common: language level, warnings, include root, alias.
+# Common settings of all our targets: language level, warnings, include root, alias.
 
 function(multimesh_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion)
-  # GCC 12 takes std::string's own copies for overlapping ones (GCC bug 105651).
+  # GCC 12 mistakes std::string's own copies for overlapping ones (GCC bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
   endif()
@@ -16,7 +16,7 @@ function(multimesh_add_library name)
   add_library(multimesh_${name} ${ARGN})
   add_library(multimesh::${name} ALIAS multimesh_${name})
   multimesh_compile_options(multimesh_${name})
-  # Static libraries, too, can go into shared ones of others. No symbol of ours is meant to be replaced at run time:
+  # Static libraries can also be linked into others' shared ones. No symbol of ours may be replaced at run time:
   # calls within a file stay direct.
   target_compile_options(multimesh_${name} PRIVATE
     $<$<CXX_COMPILER_ID:GNU,Clang>:-fno-semantic-interposition>)

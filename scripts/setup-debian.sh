@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs what the build needs and this Debian or Ubuntu lacks. Asks nothing; does nothing the second time.
+# Installs packages that the build needs and this Debian or Ubuntu lacks. Asks nothing; a second run does nothing.
 set -euo pipefail
 
 packages=(cmake ninja-build g++ git ccache pkg-config
@@ -12,7 +12,7 @@ packages+=(libtet1.5-dev)
 
 # HTML reports. NodeSource's nodejs brings an npm of its own, which Debian's npm conflicts with.
 command -v npm >/dev/null || packages+=(nodejs npm)
-# What only tests ask: a browser (on Ubuntu it is a snap), other readers of mesh files (200 MB), doxygen. Elsewhere those
+# Needed only by tests: a browser (on Ubuntu it is a snap), other readers of mesh files (200 MB), doxygen. Elsewhere those
 # tests are skipped without them.
 grep -qx 'ID=debian' /etc/os-release 2>/dev/null &&
   packages+=(chromium fonts-dejavu-core gmsh python3-meshio doxygen)

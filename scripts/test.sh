@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds everything and runs all tests; with --asan a second time under ASan and UBSan. Checks the layout where
-# clang-format is installed; with --tidy also what clang-tidy finds in all sources, which takes long.
+# Builds everything and runs all tests; with --asan a second time under ASan and UBSan. Checks the formatting if
+# clang-format is installed; with --tidy also runs clang-tidy on all sources, which takes long.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

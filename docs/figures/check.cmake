@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Draws the figures, and compares: the same files, about as large (the last digits may differ between machines).
+# Draws the figures and compares: same files, about the same size (the last digits may differ between machines).
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 execute_process(COMMAND "${DRAW}" "${SOURCE}/examples/data/spot/spot.obj" "${WORK}" COMMAND_ERROR_IS_FATAL ANY)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -D NPM=npm -D SOURCE=DIR -D WORK=DIR -P npm_ci.cmake
-# Installs what SOURCE/package-lock.json names into WORK/node_modules.
+# Installs the packages of SOURCE/package-lock.json into WORK/node_modules.
 foreach(name IN ITEMS package.json package-lock.json .npmrc)
   file(COPY_FILE "${SOURCE}/${name}" "${WORK}/${name}")
 endforeach()
