@@ -7,18 +7,9 @@
 #include <vector>
 
 #include "multimesh/attribute.hpp"
+#include "multimesh/value_list.hpp"
 
 namespace multimesh {
-
-/// The initial value of a new slot (Eigen's types: zeros).
-template <class T>
-T initial_value() {
-  if constexpr (requires { T::Zero(); }) {
-    return T::Zero();
-  } else {
-    return T{};
-  }
-}
 
 // clang-format off
 /// How each operation changes the values of a column. Without a function, the value stays as it is.

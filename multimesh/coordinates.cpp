@@ -17,8 +17,15 @@ CoordinatesFromParent::CoordinatesFromParent(const MultiMesh& tree, NodeId n, Co
 }
 
 void CoordinatesFromParent::set(Index v, const Vec3& x) {
-  const Dart d = tree_.to_parent(node_, tree_.mesh(node_).dart_of(0, v));
-  above_.set(tree_.mesh(tree_.parent(node_)).vertex(d), x);
+  above_.set(above(v), x);
+}
+
+Vec3 CoordinatesFromParent::place_of_copy(Index copy, Index v, const Vec3& x) const {
+  return copy == v ? x : above_.place_of_copy(above(copy), above(v), x);
+}
+
+Index CoordinatesFromParent::above(Index v) const {
+  return tree_.mesh(tree_.parent(node_)).vertex(tree_.to_parent(node_, tree_.mesh(node_).dart_of(0, v)));
 }
 
 }  // namespace multimesh

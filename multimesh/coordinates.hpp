@@ -18,7 +18,10 @@ class Coordinates {
   virtual ~Coordinates() = default;
   virtual NodeId node() const = 0;
   virtual Vec3 at(Index v) const = 0;
+  /// Other copies of the vertex in this mesh may follow: see place_of_copy.
   virtual void set(Index v, const Vec3& x) = 0;
+  /// Where another copy of v in this mesh is when v is at x: there as well, but in periodic tiles.
+  virtual Vec3 place_of_copy(Index /*copy*/, Index /*v*/, const Vec3& x) const { return x; }
 };
 
 /// Coordinates that an attribute stores; it must outlive this object. `T`: a vector of two or three
@@ -57,9 +60,12 @@ class CoordinatesFromParent final : public Coordinates {
   Vec3 at(Index v) const override { return values_[v]; }
   /// Only as part of a relocation.
   void set(Index v, const Vec3& x) override;
+  Vec3 place_of_copy(Index copy, Index v, const Vec3& x) const override;
   Attribute& attribute() { return attribute_; }
 
  private:
+  Index above(Index v) const;
+
   const MultiMesh& tree_;
   NodeId node_;
   Coordinates& above_;

@@ -43,7 +43,10 @@ class Embedding {
   /// Declares the values of an attribute, which already follows the operations, to be coordinates.
   template <class T>
   Coordinates& add_coordinates(VertexAttribute<T>& values, Kind kind) {
-    coordinates_.push_back({std::make_unique<CoordinatesOf<T>>(values), kind});
+    return add_coordinates(std::make_unique<CoordinatesOf<T>>(values), kind);
+  }
+  Coordinates& add_coordinates(std::unique_ptr<Coordinates> coordinates, Kind kind) {
+    coordinates_.push_back({std::move(coordinates), kind});
     return *coordinates_.back().coordinates;
   }
 

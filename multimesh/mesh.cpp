@@ -13,6 +13,10 @@ void Mesh::set_locked(Index, bool) {
   throw UsageError("this mesh stores no locks of vertices");
 }
 
+void Mesh::keep(int, std::unique_ptr<ValueList> values) {
+  throw UsageError("a mesh of this type does not keep values for others: \"" + values->name() + "\"");
+}
+
 bool Mesh::has_link_around(LinkSet links, int j, Dart d, int k) const {
   star(d, k, star_);
   for (const Dart t : star_)

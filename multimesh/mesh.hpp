@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "multimesh/dart.hpp"
+#include "multimesh/value_list.hpp"
 
 namespace multimesh {
 
@@ -165,6 +166,17 @@ class Mesh {
   virtual void flip_edge(Dart) {}
 
   // --- values that the mesh itself stores; all others are attributes
+  /// The list of new values on the k-simplices, initial_value() everywhere. The mesh owns it: it grows with
+  /// the mesh and is compacted with it; new facets have the value of the one that they are a part of. \pre
+  /// stores(k); a type that can be copied, and is not bool. \throw UsageError if the mesh keeps no values
+  template <class T>
+  std::vector<T>& add_values(int k, std::string name) {
+    auto made = std::make_unique<ValuesOf<T>>(std::move(name));
+    std::vector<T>& values = made->values;
+    keep(k, std::move(made));
+    return values;
+  }
+  virtual void keep(int k, std::unique_ptr<ValueList> values);
   /// Whether the mesh stores values on k-simplices, 0 < k < dimension.
   virtual bool has_values(int /*k*/) const { return false; }
   /// Call before collapse_edge(e). Where two simplices will become one, moves the values to keep to where the

@@ -7,6 +7,7 @@
 #include <string>
 #include <typeinfo>
 
+#include "adapters/openmesh/kept_values.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/openmesh/connectivity.hpp"
 
@@ -80,6 +81,18 @@ Connectivity::Carried Connectivity::what_is_carried() const {
 
 bool Connectivity::has_values(int k) const {
   return k == 1 && dimension() == 2 && what_is_carried().by_edges;
+}
+
+void Connectivity::keep(int k, std::unique_ptr<ValueList> values) {
+  const auto add = [&](auto handle) {
+    om_.add_property(handle, values->name());
+    om_.property(handle).set(std::move(values), capacity(k));
+  };
+  if (k == 0) return add(OpenMesh::VPropHandleT<Kept>());
+  if (k == 1) return add(OpenMesh::EPropHandleT<Kept>());
+  if (k != 2 || dimension() < 2)
+    throw UsageError("the mesh has no simplices of dimension " + std::to_string(k));
+  add(OpenMesh::FPropHandleT<Kept>());
 }
 
 void Connectivity::exchange_edge_values(int kept, int dying) {

@@ -267,6 +267,21 @@ void TetMesh::remap_links(LinkSet links, const std::vector<Index>& child_facets)
 
 // --- properties ----------------------------------------------------------------------------------------
 
+void TetMesh::adopt(Properties& list, std::unique_ptr<ValueList> values, std::size_t n) {
+  if (find(list, values->name()))
+    throw UsageError("the mesh has a property \"" + values->name() + "\" already");
+  values->resize(n);
+  list.push_back(std::move(values));
+}
+
+void TetMesh::keep(int k, std::unique_ptr<ValueList> values) {
+  if (k != 0 && k != 3)
+    throw UsageError(
+        "the edges and faces of a tetrahedral mesh have no indices that last: their values are "
+        "a simplex property");
+  adopt(k == 0 ? vertex_properties_ : tet_properties_, std::move(values), capacity(k));
+}
+
 void TetMesh::adopt(std::unique_ptr<SimplexPropertyBase> property) {
   for (const auto& p : simplex_properties_)
     if (p->name() == property->name())
@@ -283,7 +298,7 @@ bool erase_from(List& list, const Base& property) {
 
 }  // namespace
 
-void TetMesh::remove_property(const PropertyBase& property) {
+void TetMesh::remove_property(const ValueList& property) {
   if (!log_.empty()) throw UsageError("a property cannot be removed inside a transaction");
   if (!erase_from(vertex_properties_, property) && !erase_from(tet_properties_, property))
     throw UsageError("this property does not belong to the mesh");

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <span>
-
-#include "multimesh/coordinates.hpp"
+#include "multimesh/embedding.hpp"
 
 namespace multimesh {
 
@@ -13,23 +11,36 @@ enum class Subdivision {
   loop,  ///< smooth surfaces; lines are smooth curves. Source: Loop 1987, boundary rules of Hoppe et al. 1994
 };
 
-/// Divides every triangle into four, in all meshes of a tree: each edge is split, and the edges that join an
-/// old and a new vertex inside a triangle are swapped.
+struct SubdivideOptions {
+  Subdivision scheme = Subdivision::loop;
+};
+
+struct SubdivideResult {
+  std::size_t splits = 0, swaps = 0, moves = 0;
+  /// Edges that stay whole, or stay where they are, because something in the tree stands in the way: the
+  /// triangles beside them are divided otherwise.
+  std::size_t refused_splits = 0, refused_swaps = 0;
+  /// Vertices that go a part of their way only, or none of it: tetrahedra, say, would turn over.
+  std::size_t shortened_moves = 0, refused_moves = 0;
+  /// Tetrahedra with several faces on the surface: a vertex was put into each, so that its faces can be
+  /// divided.
+  std::size_t split_tets = 0;
+};
+
+// clang-format off
+/// Divides every triangle of a surface into four, wherever it is in a tree: each edge is split, and the edges that
+/// join an old and a new vertex inside a triangle are swapped.
 ///
 ///          c                 c
-///         / \               / \        In curves below, every edge becomes two.
-///        /   \      ->     m---m       Lines of the tree (boundaries, seams, curves) are creases of `loop`;
-///        vertices
-///       /     \           / \ / \      where lines end, meet or change stay where they are, as do locked
-///       ones.
+///         / \               / \        Curves below: every edge becomes two. Charts below: the same rules by
+///        /   \      ->     m---m       their own neighbours, on each side of a seam by those of that side.
+///       /     \           / \ / \      Tetrahedra around follow, and vertices go no farther than these allow.
 ///      a-------b         a---m---b
 ///
-/// `positions`: of the root, of dimension 2, over OpenMesh; `below`: coordinates of its children of dimension
-/// 2, which get the same rules by their own neighbours, on both sides of a seam by their own. `operations`
-/// must have the attributes of all of them; others follow by interpolation. Undone as a whole by an
-/// exception, or within a transaction. \throw UsageError if the root is no surface over OpenMesh. Cost:
-/// linear
-void subdivide(Propagation& operations, Coordinates& positions, std::span<Coordinates* const> below,
-               Subdivision scheme);
+/// Lines of the tree (boundaries, seams, curves, the sides of a tile) are creases of `loop`; vertices where lines
+/// end, meet or change stay where they are, as do locked ones. Undone as a whole by an exception.
+/// \throw UsageError if the mesh is no surface or has no coordinates in space. Cost: linear
+// clang-format on
+SubdivideResult subdivide(const Embedding& embedding, NodeId surface, const SubdivideOptions& options = {});
 
 }  // namespace multimesh

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -15,6 +14,8 @@
 #include "multimesh/operations.hpp"
 
 namespace multimesh {
+
+class Embedding;
 
 /// A cell of a periodic pattern as plain lists: triangles or tetrahedra in a box that they need not fill
 /// (holes, microstructures). Vertices on opposite sides are different ones, at the same places up to a
@@ -93,8 +94,6 @@ struct PeriodicReport {
 /// copies are our own.
 class PeriodicDomain {
  public:
-  using Point = Eigen::Vector3d;
-
   /// \throw InputError naming the element: indices out of range, coordinates that are not finite, a vertex
   /// on a side without a partner or with two, a pair that is not a lattice vector apart, sides that do not
   /// match facet by facet. Without `refine`, also if the quotient is not a proper simplicial complex, naming
@@ -113,30 +112,36 @@ class PeriodicDomain {
 
   /// Per vertex of the tile. If the input was manifold and was not refined, vertex and facet i of the tile
   /// are vertex and facet i of the input; refinement appends vertices after those.
-  VertexAttribute<Point>& positions();
-  const VertexAttribute<Point>& positions() const;
+  VertexAttribute<Vec3>& positions();
+  const VertexAttribute<Vec3>& positions() const;
   /// Per vertex of the tile: the number of periods from the common place of all copies of its root vertex to
   /// this copy.
   VertexAttribute<LatticeVector>& offsets();
   const VertexAttribute<LatticeVector>& offsets() const;
   /// Makes both, and the sources of vertices, follow the operations.
   void attach(Propagation& propagation);
+  /// The tile with its positions, for algorithms on it and on what lies below it: a vertex moves with all its
+  /// copies, and no facet may turn over (triangles: if none has at first, as seen against the mean normal).
+  /// Side edges are curves: vertices of sides stay on the lines that these are, and their ends where they
+  /// are. The root has no positions, and neither have the interfaces. Must not outlive the domain. Cost:
+  /// linear
+  Embedding embedding();
 
   /// For the tile as built: the facet and the vertex of the input; no_index for vertices of `refine`.
   const std::vector<Index>& input_facets() const;
   const std::vector<Index>& input_vertices() const;
 
   /// The place of a vertex of the tile without its offset: equal for all copies of a root vertex.
-  Point common_place(Index tile_vertex) const;
+  Vec3 common_place(Index tile_vertex) const;
   /// The place of a vertex of any mesh of the tree, at some copy of it in the tile.
-  Point place(NodeId n, Dart vertex) const;
+  Vec3 place(NodeId n, Dart vertex) const;
   /// The largest distance between common_place of copies of one vertex; relative to the bounding-box
   /// diagonal. Only rounding makes it differ from 0. Cost: linear
   double mismatch() const;
 
   /// Moves a vertex of any mesh, with all its copies in the tile. Refused for locked vertices, and by the
   /// invariants on relocations. \pre attached to `propagation`
-  Outcome move(Propagation& propagation, NodeId n, Dart vertex, const Point& by);
+  Outcome move(Propagation& propagation, NodeId n, Dart vertex, const Vec3& by);
 
   /// Adds the boundary of the material within the tile, without the glued sides, as a child of the tile.
   /// \return nothing if there is none. \throw as add_child_from_tags
@@ -161,6 +166,8 @@ class PeriodicDomain {
   PeriodicSources sources() const;
 
  private:
+  Attribute& sources_of_vertices();
+
   struct Data;
   std::unique_ptr<Data> data_;
 };
@@ -175,15 +182,15 @@ class TileStaysPositive final : public Invariant {
 
  private:
   const PeriodicDomain& domain_;
-  Eigen::Vector3d normal_;
+  Vec3 normal_;
   DartBuffer star_;
 };
 
 /// The signed volume of a tetrahedron of the tile; the signed area of a triangle as seen along `normal`.
-double signed_measure(const PeriodicDomain& domain, Index facet, const Eigen::Vector3d& normal);
+double signed_measure(const PeriodicDomain& domain, Index facet, const Vec3& normal);
 /// Its sign, exactly: that of orient3d, or orient_against(normal, ..).
-int orientation(const PeriodicDomain& domain, Index facet, const Eigen::Vector3d& normal);
+int orientation(const PeriodicDomain& domain, Index facet, const Vec3& normal);
 /// The unit mean normal of a tile of triangles; 0 for tetrahedra.
-Eigen::Vector3d mean_normal(const PeriodicDomain& domain);
+Vec3 mean_normal(const PeriodicDomain& domain);
 
 }  // namespace multimesh

@@ -14,8 +14,8 @@ template <std::size_t N>
 struct Vec : std::array<double, N> {
   Vec() = default;
   template <std::convertible_to<double>... Coordinates>
-    requires(sizeof...(Coordinates) == N)
-  constexpr Vec(Coordinates... x) : std::array<double, N>{static_cast<double>(x)...} {}
+  requires(sizeof...(Coordinates) == N) constexpr Vec(Coordinates... x)
+      : std::array<double, N>{static_cast<double>(x)...} {}
   constexpr Vec(const std::array<double, N>& x) : std::array<double, N>(x) {}
 
   constexpr Vec& operator+=(const Vec& v) {
@@ -59,6 +59,12 @@ struct Vec : std::array<double, N> {
   constexpr double squared_norm() const { return dot(*this, *this); }
   double norm() const { return std::sqrt(squared_norm()); }
   Vec normalized() const { return *this / norm(); }
+  /// Of length 1, however short or long it was; 0 stays 0.
+  Vec unit_or_zero() const {
+    double largest = 0;
+    for (const double x : *this) largest = std::max(largest, std::abs(x));
+    return largest > 0 ? (*this / largest).normalized() : *this;
+  }
 };
 
 using Vec2 = Vec<2>;

@@ -19,7 +19,7 @@ std::size_t live_facets(const Mesh& mesh) {
 }
 
 /// Exactly, by arithmetic of another kind.
-bool is_positive(const PeriodicDomain& domain, Index facet, const Eigen::Vector3d& normal) {
+bool is_positive(const PeriodicDomain& domain, Index facet, const Vec3& normal) {
   const Mesh& mesh = domain.tree().mesh(domain.tile());
   std::array<Index, 4> corners{};
   const bool is_flat = mesh.dimension() == 2;
@@ -30,7 +30,7 @@ bool is_positive(const PeriodicDomain& domain, Index facet, const Eigen::Vector3
   }
   std::array<std::array<double, 3>, 4> p{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector3d at = is_flat && i == 3 ? normal : domain.positions()[corners[i]];
+    const Vec3 at = is_flat && i == 3 ? normal : domain.positions()[corners[i]];
     p[i] = {at[0], at[1], at[2]};
   }
   return oracle::exact_orientation(p, is_flat) > 0;
@@ -61,11 +61,11 @@ Dart PeriodicStorm::random_dart(NodeId n) {
 
 bool PeriodicStorm::move(NodeId n, Dart d) {
   const auto coordinate = [&] { return step_size_ * (double(random_() % 2001) / 1000 - 1); };
-  Eigen::Vector3d by(coordinate(), coordinate(), coordinate());
+  Vec3 by(coordinate(), coordinate(), coordinate());
   const Mesh& root = domain_.tree().mesh(NodeId::root);
   if (root.dimension() == 2) {  // in its plane
-    const Eigen::Vector3d normal = mean_normal(domain_);
-    by -= normal * normal.dot(by);
+    const Vec3 normal = mean_normal(domain_);
+    by -= normal * dot(normal, by);
   }
   if (!domain_.move(operations_, n, d, by)) return false;
   ++moved_with_copies[std::min<std::size_t>(8, operations_.copies().count(domain_.tile()))];
@@ -106,7 +106,7 @@ std::string PeriodicStorm::fault() const {
   if (const double m = domain_.mismatch(); !(m <= 1e-9)) return "copies differ by " + std::to_string(m);
   if (!shape_) return {};
   const Mesh& mesh = tree.mesh(domain_.tile());
-  const Eigen::Vector3d normal = mean_normal(domain_);
+  const Vec3 normal = mean_normal(domain_);
   for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
     if (mesh.is_live(mesh.dimension(), f) && !is_positive(domain_, f, normal))
       return "facet " + std::to_string(f) + " of the tile is inverted";

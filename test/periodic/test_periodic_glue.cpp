@@ -126,7 +126,7 @@ TEST(PeriodicTileMesh, KeepsTheInputsNumbersAndDiffersByItsOffsets) {
   const Mesh& mesh = domain.tree().mesh(domain.tile());
   ASSERT_EQ(mesh.capacity(0), tile.points.size());
   for (Index v = 0; v < tile.points.size(); ++v) {
-    EXPECT_LE((domain.positions()[v] - Eigen::Vector3d(tile.points[v].data())).norm(), 1e-15);
+    EXPECT_LE((domain.positions()[v] - Vec3(tile.points[v])).norm(), 1e-15);
     EXPECT_EQ(domain.input_vertices()[v], v);
     const Dart image = domain.tree().to_parent(domain.tile(), mesh.dart_of(0, v));
     DartBuffer copies;
@@ -209,7 +209,7 @@ TEST(PeriodicNotManifold, ATileIsCutWhereItsPartsTouchInAPoint) {
   const Mesh& mesh = domain.tree().mesh(domain.tile());
   std::size_t locked = 0;
   for (Index v = 0; v < mesh.capacity(0); ++v) {
-    EXPECT_EQ(domain.positions()[v], Eigen::Vector3d(tile.points[domain.input_vertices()[v]].data()));
+    EXPECT_EQ(domain.positions()[v], Vec3(tile.points[domain.input_vertices()[v]]));
     const Outcome moved = domain.move(operations, domain.tile(), mesh.dart_of(0, v), {0, 0, 0});
     locked += moved.refusal.check == Check::locked;
   }

@@ -11,7 +11,7 @@ namespace multimesh::test {
 namespace {
 
 /// The vertex of the tile at a place.
-Index vertex_at(const PeriodicDomain& domain, const Eigen::Vector3d& p) {
+Index vertex_at(const PeriodicDomain& domain, const Vec3& p) {
   const Mesh& mesh = domain.tree().mesh(domain.tile());
   for (Index v = 0; v < mesh.capacity(0); ++v)
     if (mesh.is_live(0, v) && (domain.positions()[v] - p).norm() < 1e-9) return v;
@@ -19,7 +19,7 @@ Index vertex_at(const PeriodicDomain& domain, const Eigen::Vector3d& p) {
 }
 
 /// A dart (a, b, ..) of the tile.
-Dart edge(const PeriodicDomain& domain, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+Dart edge(const PeriodicDomain& domain, const Vec3& a, const Vec3& b) {
   const Mesh& mesh = domain.tree().mesh(domain.tile());
   DartBuffer star;
   mesh.star(mesh.dart_of(0, vertex_at(domain, a)), 0, star);
@@ -96,8 +96,8 @@ TEST(PeriodicCollapse, HoldsTheEndWithMoreCopies) {
 TEST(PeriodicMove, TakesAllCopiesAlong) {
   Walls w;
   const Mesh& mesh = w.domain.tree().mesh(w.domain.tile());
-  const Eigen::Vector3d by(0.03, -0.02, 0.01);
-  const std::vector<std::pair<Eigen::Vector3d, std::uint32_t>> cases{
+  const Vec3 by(0.03, -0.02, 0.01);
+  const std::vector<std::pair<Vec3, std::uint32_t>> cases{
       {{0.25, 0.25, 0.25}, 1}, {{1, 0.5, 0.25}, 2}, {{0.5, 0, 1}, 4}, {{1, 0, 1}, 8}};
   for (const auto& [p, copies] : cases) {
     const Index v = vertex_at(w.domain, p);

@@ -25,7 +25,7 @@ std::map<PeriodicTile::Region, double> sizes(const PeriodicDomain& domain) {
   std::map<PeriodicTile::Region, double> sizes;
   for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
     if (mesh.is_live(mesh.dimension(), f))
-      sizes[domain.region(f)] += std::abs(signed_measure(domain, f, Eigen::Vector3d::UnitZ()));
+      sizes[domain.region(f)] += std::abs(signed_measure(domain, f, Vec3(0, 0, 1)));
   return sizes;
 }
 
@@ -33,7 +33,9 @@ std::map<PeriodicTile::Region, double> sizes(const PeriodicDomain& domain) {
 void expect_same_lattice(const Lattice& a, const Lattice& b) {
   for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}})
     for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_TRUE(!one->is_periodic(axis) || other->nearest(one->periods().col(axis), 1e-9)) << "xyz"[axis];
+      LatticeVector unit{};
+      unit[static_cast<std::size_t>(axis)] = 1;
+      EXPECT_TRUE(!one->is_periodic(axis) || other->nearest(one->shift(unit), 1e-9)) << "xyz"[axis];
     }
 }
 
@@ -131,10 +133,9 @@ TEST_P(PeriodicOutput, SidesCoverWhatIsGlued) {
   for (const PeriodicSide& side : domain.sides()) {
     faces += 2 * side.master.size();
     ASSERT_EQ(side.master.corners.size(), side.slave.corners.size());
-    const Eigen::Vector3d shift = domain.lattice().shift(side.shift);
+    const Vec3 shift = domain.lattice().shift(side.shift);
     for (std::size_t i = 0; i < side.master.corners.size(); ++i) {
-      const Eigen::Vector3d m(tile.points[side.master.corners[i]].data()),
-          s(tile.points[side.slave.corners[i]].data());
+      const Vec3 m(tile.points[side.master.corners[i]]), s(tile.points[side.slave.corners[i]]);
       EXPECT_LE((s - m - shift).norm(), 1e-14);
     }
   }
@@ -170,14 +171,15 @@ TEST(LatticeBasis, GeneratesWhatItWasGiven) {
     for (int k = 0; k < rank; ++k)
       periods.col(k) = Eigen::Vector3d::Unit(k) + 0.3 * Eigen::Vector3d::Random();
     // Many combinations, so that they generate all of it; none of them need be short.
-    std::vector<Eigen::Vector3d> given;
+    std::vector<Vec3> given;
     for (int n = 0; n < 12; ++n) {
       Eigen::Vector3d c = Eigen::Vector3d::Zero();
       for (int k = 0; k < rank; ++k) c[k] = integer();
-      given.push_back(periods * c + 1e-12 * Eigen::Vector3d::Random());
+      const Eigen::Vector3d v = periods * c + 1e-12 * Eigen::Vector3d::Random();
+      given.push_back({v[0], v[1], v[2]});
     }
     for (int k = 0; k < rank; ++k) {
-      given.push_back(given[static_cast<std::size_t>(k)] + periods.col(k));
+      given.push_back(given[static_cast<std::size_t>(k)] + Vec3(periods(0, k), periods(1, k), periods(2, k)));
       given.push_back(given[static_cast<std::size_t>(k)]);
     }
     const auto basis = lattice_basis(given, 1e-6);
@@ -185,13 +187,13 @@ TEST(LatticeBasis, GeneratesWhatItWasGiven) {
     Eigen::Matrix3d b = Eigen::Matrix3d::Zero();
     std::array<bool, 3> on{};
     for (std::size_t k = 0; k < basis.size(); ++k)
-      b.col(static_cast<Eigen::Index>(k)) = basis[k], on[k] = true;
+      b.col(static_cast<Eigen::Index>(k)) = Eigen::Vector3d(basis[k].data()), on[k] = true;
     expect_same_lattice(Lattice(on, b), Lattice(on, periods));
   }
 }
 
 TEST(LatticeBasis, KeepsVectorsThatWillDo) {
-  const std::vector<Eigen::Vector3d> given{{0, 0, 1}, {1, 0, 0}, {0.25, 1, 0}, {1.25, 1, 0}};
+  const std::vector<Vec3> given{{0, 0, 1}, {1, 0, 0}, {0.25, 1, 0}, {1.25, 1, 0}};
   const PeriodicOptions options = options_of_pairs(
       {{0, 1}}, std::vector<std::array<double, 3>>{{0, 0, -1}, {1, 0, 0}, {0.25, 1, 0}, {1.25, 1, 0}});
   EXPECT_EQ(lattice_basis(given, 1e-9).size(), 3U);

@@ -94,7 +94,7 @@ TEST(PeriodicRefinement, EndsByLongestEdgesAlone) {
     LabelledTile tile;
     tile.facets = in.facets;
     tile.input_facet.resize(in.facets.size());
-    for (const auto& p : in.points) tile.point.emplace_back(p.data());
+    for (const auto& p : in.points) tile.point.emplace_back(p);
     for (const auto& p : tile.point)
       tile.offset.push_back({static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2])});
     tile.vertex_class.assign(in.points.size(), 0);

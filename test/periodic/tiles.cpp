@@ -2,6 +2,7 @@
 #include "test/periodic/tiles.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "test/support/shapes.hpp"
 
@@ -58,6 +59,46 @@ std::size_t legal_edges(PeriodicDomain& domain) {
   for (Index e = 0; e < root.capacity(1); ++e)
     if (root.is_live(1, e)) n += !operations.judge(NodeId::root, root.dart_of(1, e)).refusal.refused();
   return n;
+}
+
+bool copies_fit(const PeriodicDomain& domain) {
+  const MultiMesh& tree = domain.tree();
+  const Mesh &root = tree.mesh(NodeId::root), &tile = tree.mesh(domain.tile());
+  DartBuffer copies;
+  for (Index v = 0; v < root.capacity(0); ++v) {
+    if (!root.is_live(0, v) || root.dart_of(0, v) == no_dart) continue;
+    copies.clear();
+    tree.to_child(domain.tile(), root.dart_of(0, v), 0, copies);
+    bool fit = false;  // to one of them
+    for (const Dart first : copies) {
+      const Index one = tile.vertex(first);
+      fit |= std::ranges::all_of(copies, [&](Dart d) {
+        const Index w = tile.vertex(d);
+        return domain.positions()[w] ==
+               domain.positions()[one] + domain.lattice().shift(domain.offsets()[w] - domain.offsets()[one]);
+      });
+    }
+    if (!fit) return false;
+  }
+  return true;
+}
+
+std::size_t inverted(const PeriodicDomain& domain) {
+  const Mesh& tile = domain.tree().mesh(domain.tile());
+  const Vec3 normal = mean_normal(domain);
+  std::size_t n = 0;
+  for (Index f = 0; f < tile.capacity(tile.dimension()); ++f)
+    n += tile.is_live(tile.dimension(), f) && orientation(domain, f, normal) <= 0;
+  return n;
+}
+
+double size(const PeriodicDomain& domain) {
+  const Mesh& tile = domain.tree().mesh(domain.tile());
+  const Vec3 normal = mean_normal(domain);
+  double sum = 0;
+  for (Index f = 0; f < tile.capacity(tile.dimension()); ++f)
+    if (tile.is_live(tile.dimension(), f)) sum += signed_measure(domain, f, normal);
+  return sum;
 }
 
 }  // namespace multimesh::test

@@ -91,8 +91,10 @@ bool Remesher::assign(const Place& to) {
 bool Remesher::move(Dart vertex, const Place& to) {
   copies_.collect(tree_, node_, vertex, 0);
   if (!assign(to)) return false;
-  for (const Copy& c : copies_.of(node_))
-    if (!shape_.allows(c.dart, to.position)) return false;
+  for (const Copy& c : copies_.of(node_)) {
+    const Vec3 there = positions_.place_of_copy(mesh_.vertex(c.dart), mesh_.vertex(vertex), to.position);
+    if (!shape_.allows(c.dart, there)) return false;
+  }
   for (const Write& w : writes_)
     if (!sides_below_[w.mesh].allows(w.dart, w.at)) return false;
   const auto write = [&](const Event&) {

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "multimesh/domains/periodic_domain.hpp"
-
-// GCC 12 takes an Eigen vector that OpenMesh's property makes by T() for one that is read uninitialized.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-
 #include <algorithm>
 
+#include "multimesh/domains/periodic_domain.hpp"
 #include "multimesh/domains/periodic_domain/domain_data.hpp"
 
 namespace multimesh {
@@ -44,7 +38,7 @@ PeriodicDomain::PeriodicDomain(const PeriodicTile& tile, const PeriodicOptions& 
   GluedTile glued = glue_tile(prepared.tile, report);
   data_ = std::make_unique<Data>(std::move(prepared), std::move(glued), std::move(report), tile);
   count(data_->tree, data_->tile, data_->report);
-  const Eigen::Vector3d normal = mean_normal(*this);
+  const Vec3 normal = mean_normal(*this);
   const Mesh& mesh = data_->tree.mesh(data_->tile);
   for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
     data_->report.inverted_facets += orientation(*this, f, normal) <= 0;
@@ -71,10 +65,10 @@ const Lattice& PeriodicDomain::lattice() const {
 double PeriodicDomain::diagonal() const {
   return data_->diagonal;
 }
-VertexAttribute<PeriodicDomain::Point>& PeriodicDomain::positions() {
+VertexAttribute<Vec3>& PeriodicDomain::positions() {
   return *data_->positions;
 }
-const VertexAttribute<PeriodicDomain::Point>& PeriodicDomain::positions() const {
+const VertexAttribute<Vec3>& PeriodicDomain::positions() const {
   return *data_->positions;
 }
 VertexAttribute<LatticeVector>& PeriodicDomain::offsets() {
@@ -91,14 +85,17 @@ const std::vector<Index>& PeriodicDomain::input_vertices() const {
 }
 
 void PeriodicDomain::attach(Propagation& propagation) {
-  propagation.add(positions()).add(offsets()).add(*data_->sources);
+  propagation.add(positions()).add(offsets()).add(sources_of_vertices());
+}
+Attribute& PeriodicDomain::sources_of_vertices() {
+  return *data_->sources;
 }
 
-PeriodicDomain::Point PeriodicDomain::common_place(Index v) const {
+Vec3 PeriodicDomain::common_place(Index v) const {
   return positions()[v] - lattice().shift(offsets()[v]);
 }
 
-PeriodicDomain::Point PeriodicDomain::place(NodeId n, Dart vertex) const {
+Vec3 PeriodicDomain::place(NodeId n, Dart vertex) const {
   const MultiMesh& tree = data_->tree;
   if (n == NodeId::root) {
     DartBuffer copies;
@@ -124,7 +121,7 @@ double PeriodicDomain::mismatch() const {
   return largest / diagonal();
 }
 
-Outcome PeriodicDomain::move(Propagation& propagation, NodeId n, Dart vertex, const Point& by) {
+Outcome PeriodicDomain::move(Propagation& propagation, NodeId n, Dart vertex, const Vec3& by) {
   MultiMesh& tree = data_->tree;
   tree.require_dart(n, vertex);
   const Mesh& root = tree.mesh(NodeId::root);

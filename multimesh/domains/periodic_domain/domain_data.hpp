@@ -10,7 +10,6 @@
 #include "multimesh/domains/make_mesh.hpp"
 #include "multimesh/domains/periodic_domain.hpp"
 #include "multimesh/domains/periodic_domain/glue_tile.hpp"
-#include "multimesh/domains/periodic_domain/vertex_values.hpp"
 #include "multimesh/faces.hpp"
 
 namespace multimesh {
@@ -32,10 +31,10 @@ struct PeriodicDomain::Data {
         add_child_by_facets(tree, NodeId::root, std::move(glued.tile), std::move(glued.root), all, make_mesh);
 
     Mesh& mesh = tree.mesh(tile);
-    auto& points = add_vertex_values<Point>(mesh, "periodic:point");
-    auto& lattice_vectors = add_vertex_values<LatticeVector>(mesh, "periodic:offset");
-    auto& vertex_source = add_vertex_values<Index>(mesh, "periodic:source");
-    facet_source = &add_facet_values<Index>(mesh, "periodic:source");
+    auto& points = mesh.add_values<Vec3>(0, "periodic:point");
+    auto& lattice_vectors = mesh.add_values<LatticeVector>(0, "periodic:offset");
+    auto& vertex_source = mesh.add_values<Index>(0, "periodic:source");
+    facet_source = &mesh.add_values<Index>(mesh.dimension(), "periodic:source");
     *facet_source = input_facets;
     input_vertices = std::move(glued.source);
     for (Index v = 0; v < input_vertices.size(); ++v) {
@@ -111,7 +110,7 @@ struct PeriodicDomain::Data {
   std::vector<Index>* facet_source = nullptr;  // a property of the tile
   MultiMesh tree;
   NodeId tile = NodeId::root;
-  std::optional<VertexAttribute<Point>> positions;
+  std::optional<VertexAttribute<Vec3>> positions;
   std::optional<VertexAttribute<LatticeVector>> offsets;
   std::optional<VertexAttribute<Index>> sources;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/domains/periodic_domain/glue_tile.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -15,37 +14,35 @@ void reverse(FacetList& list, std::size_t f) {
   std::swap(list.corners[f * list.corners_per_facet()], list.corners[f * list.corners_per_facet() + 1]);
 }
 
-Eigen::Vector3d area_vector(const LabelledTile& tile, const FacetList& list, std::size_t f) {
+Vec3 area_vector(const LabelledTile& tile, const FacetList& list, std::size_t f) {
   const auto v = list.facet(f);
   const auto& p = tile.point;
-  return (p[v[1]] - p[v[0]]).cross(p[v[2]] - p[v[0]]) / 2;
+  return cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]) / 2;
 }
 
 double volume(const LabelledTile& tile, const FacetList& list, std::size_t f) {
   const auto v = list.facet(f);
-  return area_vector(tile, list, f).dot(tile.point[v[3]] - tile.point[v[0]]) / 3;
+  return dot(area_vector(tile, list, f), tile.point[v[3]] - tile.point[v[0]]) / 3;
 }
 
 /// By the first component; its largest coordinate is positive.
-Eigen::Vector3d side_to_look_at(const LabelledTile& tile, const FacetList& list,
-                                const std::vector<Index>& component) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+Vec3 side_to_look_at(const LabelledTile& tile, const FacetList& list, const std::vector<Index>& component) {
+  Vec3 sum{};
   for (std::size_t f = 0; f < list.size(); ++f)
     if (component[f] == component[0]) sum += area_vector(tile, list, f);
-  Eigen::Index largest = 0;
-  sum.cwiseAbs().maxCoeff(&largest);
-  return sum[largest] < 0 ? Eigen::Vector3d(-sum) : sum;
+  const auto largest =
+      std::max_element(sum.begin(), sum.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+  return *largest < 0 ? -sum : sum;
 }
 
 // Per component of the root.
 void turn_positive(const LabelledTile& tile, FacetList& list, FacetList& root, std::vector<bool>& reversed) {
   const std::vector<Index> component = parts_of(root);
   const bool flat = list.dimension == 2;
-  const Eigen::Vector3d normal =
-      flat ? side_to_look_at(tile, list, component) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  const Vec3 normal = flat ? side_to_look_at(tile, list, component) : Vec3{};
   std::vector<double> sizes(list.size());
   for (std::size_t f = 0; f < list.size(); ++f)
-    sizes[f] = flat ? area_vector(tile, list, f).dot(normal) : volume(tile, list, f);
+    sizes[f] = flat ? dot(area_vector(tile, list, f), normal) : volume(tile, list, f);
   const std::vector<bool> negative = in_negative_part(component, sizes);
   for (std::size_t f = 0; f < list.size(); ++f)
     if (negative[f]) {

@@ -12,10 +12,10 @@ namespace multimesh {
 /// A tile as plain lists; the vertices that are one modulo the lattice are known, but not glued yet.
 struct LabelledTile {
   FacetList facets;
-  std::vector<Index> input_facet;      ///< per facet: the input facet that it is part of
-  std::vector<Eigen::Vector3d> point;  ///< per vertex, as are the following
-  std::vector<Index> vertex_class;     ///< numbered from 0; no_index for vertices without facets
-  std::vector<LatticeVector> offset;   ///< equal for all copies after subtraction of the lattice vectors
+  std::vector<Index> input_facet;     ///< per facet: the input facet that it is part of
+  std::vector<Vec3> point;            ///< per vertex, as are the following
+  std::vector<Index> vertex_class;    ///< numbered from 0; no_index for vertices without facets
+  std::vector<LatticeVector> offset;  ///< equal for all copies after subtraction of the lattice vectors
   Index classes = 0;
 };
 

@@ -41,13 +41,14 @@ Lattice::Lattice(const std::array<bool, 3>& periodic, const Eigen::Matrix3d& per
   inverse_ = basis.inverse();
 }
 
-std::optional<LatticeVector> Lattice::nearest(const Point& displacement, double tolerance) const {
-  const Point c = coordinates(displacement);
+std::optional<LatticeVector> Lattice::nearest(const Vec3& displacement, double tolerance) const {
+  const Vec3 c = coordinates(displacement);
   LatticeVector v{};
   for (int i = 0; i < 3; ++i) {
     if (!is_periodic(i)) continue;
-    if (!(std::abs(c[i]) < 1e6)) return std::nullopt;
-    v[static_cast<std::size_t>(i)] = static_cast<int>(std::lround(c[i]));
+    const auto axis = static_cast<std::size_t>(i);
+    if (!(std::abs(c[axis]) < 1e6)) return std::nullopt;
+    v[axis] = static_cast<int>(std::lround(c[axis]));
   }
   if (!((shift(v) - displacement).norm() <= tolerance)) return std::nullopt;
   return v;
@@ -58,37 +59,39 @@ namespace {
 /// Coefficients of v by basis vectors, and what is left of it across them.
 struct Expansion {
   Eigen::VectorXd coefficients;
-  Eigen::Vector3d rest;
+  Vec3 rest;
 };
 
-Expansion expand(const std::vector<Eigen::Vector3d>& basis, const Eigen::Vector3d& v) {
+Expansion expand(const std::vector<Vec3>& basis, const Vec3& v) {
   if (basis.empty()) return {{}, v};
   Eigen::MatrixXd m(3, static_cast<Eigen::Index>(basis.size()));
-  for (std::size_t i = 0; i < basis.size(); ++i) m.col(static_cast<Eigen::Index>(i)) = basis[i];
-  Expansion e{m.colPivHouseholderQr().solve(v), {}};
-  e.rest = v - m * e.coefficients;
-  return e;
+  for (std::size_t i = 0; i < basis.size(); ++i)
+    m.col(static_cast<Eigen::Index>(i)) = Eigen::Vector3d(basis[i].data());
+  const Eigen::Vector3d whole(v.data());
+  const Eigen::VectorXd coefficients = m.colPivHouseholderQr().solve(whole);
+  const Eigen::Vector3d rest = whole - m * coefficients;
+  return {coefficients, {rest[0], rest[1], rest[2]}};
 }
 
 }  // namespace
 
 // A vector that is no integer combination of the basis takes, less the nearest one, the place of a basis
 // vector, which is then asked itself. That divides the volume of the cell by two or more each time.
-std::vector<Eigen::Vector3d> lattice_basis(std::span<const Eigen::Vector3d> vectors, double tolerance) {
-  std::vector<Eigen::Vector3d> basis, left(vectors.begin(), vectors.end());
+std::vector<Vec3> lattice_basis(std::span<const Vec3> vectors, double tolerance) {
+  std::vector<Vec3> basis, left(vectors.begin(), vectors.end());
   std::stable_sort(left.begin(), left.end(),
                    [](const auto& v, const auto& w) { return v.norm() > w.norm(); });
   for (int steps = 0; !left.empty(); ++steps) {
     if (steps > 1000 + 4 * static_cast<int>(vectors.size()))
       throw InputError("the translations of the periodic links generate no lattice");
-    const Eigen::Vector3d v = left.back();
+    const Vec3 v = left.back();
     left.pop_back();
     const Expansion e = expand(basis, v);
     if (e.rest.norm() > tolerance) {
       basis.push_back(v);
       continue;
     }
-    Eigen::Vector3d nearer = Eigen::Vector3d::Zero();
+    Vec3 nearer{};
     std::size_t largest = 0;
     double most = 0;
     for (std::size_t i = 0; i < basis.size(); ++i) {
@@ -115,7 +118,7 @@ std::string name_of(const LatticeVector& v) {
   return s.empty() ? "0" : s;
 }
 
-std::string text_of(const Eigen::Vector3d& p) {
+std::string text_of(const Vec3& p) {
   std::ostringstream s;
   s << '(' << p[0] << ", " << p[1] << ", " << p[2] << ')';
   return s.str();

@@ -16,16 +16,14 @@ namespace multimesh {
 
 namespace {
 
-using Point = Eigen::Vector3d;
-
-std::string vertex_text(Index v, const Point& p) {
+std::string vertex_text(Index v, const Vec3& p) {
   return "vertex " + std::to_string(v) + " at " + text_of(p);
 }
 
 /// Points in cells of twice the search radius: a ball around a point reaches into eight cells at most.
 class PointGrid {
  public:
-  PointGrid(std::span<const Point> points, std::span<const Index> used, double radius)
+  PointGrid(std::span<const Vec3> points, std::span<const Index> used, double radius)
       : points_(points), radius_(radius), next_(points.size(), no_index) {
     cells_.reserve(used.size());
     for (const Index v : used) {
@@ -36,9 +34,10 @@ class PointGrid {
   }
 
   /// All points within the radius of p.
-  void within(const Point& p, std::vector<Index>& out) const {
+  void within(const Vec3& p, std::vector<Index>& out) const {
     out.clear();
-    const Key low = cell(p.array() - radius_), high = cell(p.array() + radius_);
+    const Vec3 reach{radius_, radius_, radius_};
+    const Key low = cell(p - reach), high = cell(p + reach);
     for (std::uint64_t x = low[0]; x != high[0] + 1; ++x)
       for (std::uint64_t y = low[1]; y != high[1] + 1; ++y)
         for (std::uint64_t z = low[2]; z != high[2] + 1; ++z) {
@@ -51,14 +50,14 @@ class PointGrid {
 
  private:
   using Key = std::array<std::uint64_t, 3>;
-  Key cell(const Point& p) const {
-    const auto along = [&](int i) {
+  Key cell(const Vec3& p) const {
+    const auto along = [&](std::size_t i) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(p[i] / (2 * radius_))));
     };
     return {along(0), along(1), along(2)};
   }
 
-  std::span<const Point> points_;
+  std::span<const Vec3> points_;
   double radius_;
   std::vector<Index> next_;  // in the same cell
   std::unordered_map<Key, Index, ArrayHash> cells_;
@@ -82,7 +81,7 @@ bool is_positive(const LatticeVector& v) {
 
 /// Lines across a lattice: integer combinations of its coordinates. Along one, the tile has an extent in
 /// layers of the lattice.
-double along(const LatticeVector& direction, const Point& coordinates) {
+double along(const LatticeVector& direction, const Vec3& coordinates) {
   return direction[0] * coordinates[0] + direction[1] * coordinates[1] + direction[2] * coordinates[2];
 }
 int along(const LatticeVector& direction, const LatticeVector& v) {
@@ -91,7 +90,7 @@ int along(const LatticeVector& direction, const LatticeVector& v) {
 
 class SideMatcher {
  public:
-  SideMatcher(const Lattice& lattice, std::span<const Point> points, std::span<const Index> used,
+  SideMatcher(const Lattice& lattice, std::span<const Vec3> points, std::span<const Index> used,
               std::span<const LatticeVector> vectors, double tolerance)
       : lattice_(lattice),
         points_(points),
@@ -100,8 +99,8 @@ class SideMatcher {
         tolerance_(tolerance),
         grid_(points, used, tolerance) {
     for (const Index v : used) {
-      low_ = low_.cwiseMin(points[v]);
-      high_ = high_.cwiseMax(points[v]);
+      low_ = min(low_, points[v]);
+      high_ = max(high_, points[v]);
     }
   }
 
@@ -134,15 +133,17 @@ class SideMatcher {
     std::erase_if(all, [&](const LatticeVector& d) { return !is_periodic(d); });
     return all;
   }
-  bool is_near_box(const Point& p) const {
-    return (p.array() >= low_.array() - tolerance_).all() && (p.array() <= high_.array() + tolerance_).all();
+  bool is_near_box(const Vec3& p) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!(p[i] >= low_[i] - tolerance_ && p[i] <= high_[i] + tolerance_)) return false;
+    return true;
   }
 
   void match_along(const LatticeVector& shift, VertexClasses& classes) {
-    const Point by = lattice_.shift(shift);
+    const Vec3 by = lattice_.shift(shift);
     const std::size_t first = matches_.size();
     for (const Index v : used_) {
-      const Point opposite = points_[v] + by;
+      const Vec3 opposite = points_[v] + by;
       if (!is_near_box(opposite)) continue;
       grid_.within(opposite, found_);
       if (found_.empty()) continue;
@@ -200,11 +201,11 @@ class SideMatcher {
   [[noreturn]] void refuse_lonely(const LatticeVector& direction, Index v, int sign) const {
     Index nearest = no_index;
     double distance = std::numeric_limits<double>::infinity();
-    std::optional<Point> missing;
+    std::optional<Vec3> missing;
     for (const LatticeVector& shift : vectors_) {
       const int steps = along(direction, shift);
       if (std::abs(steps) != 1) continue;
-      const Point opposite = points_[v] + sign * steps * lattice_.shift(shift);
+      const Vec3 opposite = points_[v] + double(sign * steps) * lattice_.shift(shift);
       if (!is_near_box(opposite)) continue;
       for (const Index w : used_) {
         const double d = (points_[w] - opposite).norm();
@@ -221,28 +222,28 @@ class SideMatcher {
   }
 
   const Lattice& lattice_;
-  std::span<const Point> points_;
+  std::span<const Vec3> points_;
   std::span<const Index> used_;
   std::span<const LatticeVector> vectors_;
   double tolerance_;
   PointGrid grid_;
-  Point low_ = Point::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
+  Vec3 low_{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high_ = -low_;
   std::vector<Match> matches_;
   std::vector<Index> found_;
 };
 
 }  // namespace
 
-std::vector<LatticeVector> vectors_within(const Lattice& lattice, std::span<const Point> points,
+std::vector<LatticeVector> vectors_within(const Lattice& lattice, std::span<const Vec3> points,
                                           std::span<const Index> used, double tolerance) {
   constexpr int most = 50;         // periods per tile: more are a mistake in units
   constexpr double margin = 1.05;  // for sides that nearly meet: open_sides.hpp
   std::array<Range, 3> box, coordinate;
   for (const Index v : used) {
-    const Point c = lattice.coordinates(points[v]);
-    for (int i = 0; i < 3; ++i) {
-      box[static_cast<std::size_t>(i)].add(points[v][i]);
-      coordinate[static_cast<std::size_t>(i)].add(c[i]);
+    const Vec3 c = lattice.coordinates(points[v]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      box[i].add(points[v][i]);
+      coordinate[i].add(c[i]);
     }
   }
   LatticeVector steps{};
@@ -264,22 +265,21 @@ std::vector<LatticeVector> vectors_within(const Lattice& lattice, std::span<cons
     for (int y = -steps[1]; y <= steps[1]; ++y)
       for (int z = -steps[2]; z <= steps[2]; ++z) {
         const LatticeVector v{x, y, z};
-        const Point shift = lattice.shift(v);
+        const Vec3 shift = lattice.shift(v);
         bool reaches = is_positive(v);
-        for (int i = 0; i < 3; ++i)
-          reaches =
-              reaches && std::abs(shift[i]) <= margin * box[static_cast<std::size_t>(i)].extent() + tolerance;
+        for (std::size_t i = 0; i < 3; ++i)
+          reaches = reaches && std::abs(shift[i]) <= margin * box[i].extent() + tolerance;
         if (reaches) vectors.push_back(v);
       }
   return vectors;
 }
 
-void match_sides(const Lattice& lattice, std::span<const Point> points, std::span<const Index> used,
+void match_sides(const Lattice& lattice, std::span<const Vec3> points, std::span<const Index> used,
                  std::span<const LatticeVector> vectors, double tolerance, VertexClasses& classes) {
   SideMatcher(lattice, points, used, vectors, tolerance).run(classes);
 }
 
-void match_pairs(const Lattice& lattice, std::span<const Point> points,
+void match_pairs(const Lattice& lattice, std::span<const Vec3> points,
                  std::span<const std::array<Index, 2>> pairs, double tolerance, VertexClasses& classes) {
   for (const auto& [v, w] : pairs) {
     const std::string name = "periodic pair " + std::to_string(v) + "-" + std::to_string(w);

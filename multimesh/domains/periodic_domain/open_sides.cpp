@@ -15,8 +15,6 @@ namespace multimesh {
 
 namespace {
 
-using Point = Eigen::Vector3d;
-
 /// How near two faces that face each other must be to be taken for two sides, relative to their altitudes.
 constexpr double nearly = 0.15;
 
@@ -54,13 +52,13 @@ class Reach {
         double tolerance)
       : tile_(tile), whole_(box_of(tile.facets.corners)) {
     whole_.min().array() -= tolerance, whole_.max().array() += tolerance;
-    for (const LatticeVector& v : vectors) shifts_.push_back(lattice.shift(v));
+    for (const LatticeVector& v : vectors) shifts_.emplace_back(lattice.shift(v).data());
   }
   bool operator()(std::size_t f) const {
     Box box = box_of(tile_.facets.facet(f));
     const double more = nearly * box.sizes().maxCoeff();
     box.min().array() -= more, box.max().array() += more;
-    return std::any_of(shifts_.begin(), shifts_.end(), [&](const Point& shift) {
+    return std::any_of(shifts_.begin(), shifts_.end(), [&](const Eigen::Vector3d& shift) {
       return whole_.intersects(Box(box.min() + shift, box.max() + shift)) ||
              whole_.intersects(Box(box.min() - shift, box.max() - shift));
     });
@@ -70,13 +68,13 @@ class Reach {
   using Box = Eigen::AlignedBox3d;
   Box box_of(std::span<const Index> vertices) const {
     Box box;
-    for (const Index v : vertices) box.extend(tile_.point[v]);
+    for (const Index v : vertices) box.extend(Eigen::Vector3d(tile_.point[v].data()));
     return box;
   }
 
   const LabelledTile& tile_;
   Box whole_;
-  std::vector<Point> shifts_;
+  std::vector<Eigen::Vector3d> shifts_;
 };
 
 /// The faces that no other facet has, not even a lattice vector away. Of facets within reach.
@@ -101,35 +99,35 @@ std::vector<Face> free_faces(const LabelledTile& tile, const Reach& reaches) {
 /// A free face in space. That of a triangle, an edge, is a triangle without area.
 struct FreeFace {
   spatial::Triangle corners{};
-  Point middle, outward;  // unit, or 0
-  double altitude = 0;    // the least one
-  double near = 0;        // closer than that it lies on another one, if they face each other
+  Vec3 middle, outward;  // unit, or 0
+  double altitude = 0;   // the least one
+  double near = 0;       // closer than that it lies on another one, if they face each other
 
   FreeFace(const LabelledTile& tile, const Face& face, double tolerance) {
     const auto v = tile.facets.facet(face.facet);
-    std::array<Point, 3> p{Point::Zero(), Point::Zero(), Point::Zero()};
+    std::array<Vec3, 3> p{};
     std::size_t n = 0;
     for (std::size_t i = 0; i < v.size(); ++i)
       if (i != face.opposite) p[n++] = tile.point[v[i]];
     if (n == 2) p[2] = (p[0] + p[1]) / 2;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = {p[i][0], p[i][1], p[i][2]};
+    corners = p;
     middle = (p[0] + p[1] + p[2]) / 3;
     outward = middle - tile.point[v[face.opposite]];
-    const Point normal = (p[1] - p[0]).cross(p[2] - p[0]), edge = p[1] - p[0];
+    const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]), edge = p[1] - p[0];
     if (n == 3) {
-      outward = normal.dot(outward) < 0 ? Point(-normal) : normal;
+      outward = dot(normal, outward) < 0 ? -normal : normal;
       const double longest = std::max({edge.norm(), (p[2] - p[0]).norm(), (p[2] - p[1]).norm()});
       altitude = longest > 0 ? normal.norm() / longest : 0;
     } else {
       altitude = edge.norm();
-      if (altitude > 0) outward -= edge * (edge.dot(outward) / edge.squaredNorm());
+      if (altitude > 0) outward -= edge * (dot(edge, outward) / edge.squared_norm());
     }
-    outward = outward.stableNormalized();
+    outward = outward.unit_or_zero();
     near = std::max(tolerance, nearly * altitude);
   }
   Eigen::AlignedBox3d box() const {
     Eigen::AlignedBox3d box;
-    for (const Vec3& p : corners) box.extend(Point(p.data()));
+    for (const Vec3& p : corners) box.extend(Eigen::Vector3d(p.data()));
     return {box.min().array() - near, box.max().array() + near};
   }
 };
@@ -146,8 +144,8 @@ class FaceGrid {
   }
 
   /// The face on which `face` comes to lie when it is shifted, or nothing.
-  std::optional<std::size_t> meets(std::size_t face, const Point& shift) const {
-    const Point p = faces_[face].middle + shift;
+  std::optional<std::size_t> meets(std::size_t face, const Vec3& shift) const {
+    const Vec3 p = faces_[face].middle + shift;
     const auto is_met = [&](std::size_t i) { return i != face && lies_on(faces_[face], p, faces_[i]); };
     if (const auto cell = cells_.find(key(p)); cell != cells_.end())
       for (const std::size_t i : cell->second)
@@ -160,14 +158,14 @@ class FaceGrid {
  private:
   using Key = std::array<std::uint64_t, 3>;
 
-  bool lies_on(const FreeFace& face, const Point& p, const FreeFace& other) const {
-    const auto nearest = spatial::closest_point({p[0], p[1], p[2]}, other.corners);
+  bool lies_on(const FreeFace& face, const Vec3& p, const FreeFace& other) const {
+    const auto nearest = spatial::closest_point(p, other.corners);
     if (nearest.squared_distance <= tolerance_ * tolerance_) return true;
     const double near = std::min(face.near, other.near);
-    return nearest.squared_distance <= near * near && face.outward.dot(other.outward) < -0.7;
+    return nearest.squared_distance <= near * near && dot(face.outward, other.outward) < -0.7;
   }
   std::int64_t cell_along(double x) const { return static_cast<std::int64_t>(std::floor(x / size_)); }
-  Key key(const Point& p) const {
+  Key key(const Vec3& p) const {
     return {static_cast<std::uint64_t>(cell_along(p[0])), static_cast<std::uint64_t>(cell_along(p[1])),
             static_cast<std::uint64_t>(cell_along(p[2]))};
   }
@@ -205,7 +203,7 @@ void require_no_open_sides(const LabelledTile& tile, const Lattice& lattice,
   for (const LatticeVector& v : vectors)
     for (const int sign : {1, -1})
       for (std::size_t i = 0; i < faces.size(); ++i) {
-        const auto j = grid.meets(i, sign * lattice.shift(v));
+        const auto j = grid.meets(i, double(sign) * lattice.shift(v));
         if (!j) continue;
         throw InputError("the sides of the tile do not match facet by facet: facets " +
                          std::to_string(tile.input_facet[faces[i].facet]) + " and " +

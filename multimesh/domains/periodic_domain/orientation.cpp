@@ -1,37 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/domains/periodic_domain.hpp"
-#include "multimesh/domains/periodic_domain/vertex_values.hpp"
 #include "multimesh/geometry/orient3d.hpp"
 
 namespace multimesh {
 
-double signed_measure(const PeriodicDomain& domain, Index facet, const Eigen::Vector3d& normal) {
+double signed_measure(const PeriodicDomain& domain, Index facet, const Vec3& normal) {
   const Mesh& mesh = domain.tree().mesh(domain.tile());
   const auto& p = domain.positions();
   Index v[4];
-  oriented_corners(mesh, facet, v);
-  const Eigen::Vector3d area = (p[v[1]] - p[v[0]]).cross(p[v[2]] - p[v[0]]) / 2;
-  return mesh.dimension() == 2 ? area.dot(normal) : area.dot(p[v[3]] - p[v[0]]) / 3;
+  mesh.vertices(mesh.dart_of(mesh.dimension(), facet), v);  // in the order of its orientation
+  const Vec3 area = cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]) / 2;
+  return mesh.dimension() == 2 ? dot(area, normal) : dot(area, p[v[3]] - p[v[0]]) / 3;
 }
 
-int orientation(const PeriodicDomain& domain, Index facet, const Eigen::Vector3d& normal) {
+int orientation(const PeriodicDomain& domain, Index facet, const Vec3& normal) {
   const Mesh& mesh = domain.tree().mesh(domain.tile());
   const auto& p = domain.positions();
   Index v[4];
-  oriented_corners(mesh, facet, v);
+  mesh.vertices(mesh.dart_of(mesh.dimension(), facet), v);  // in the order of its orientation
   const double *a = p[v[0]].data(), *b = p[v[1]].data(), *c = p[v[2]].data();
   return mesh.dimension() == 2 ? orient_against(normal.data(), a, b, c) : orient3d(a, b, c, p[v[3]].data());
 }
 
-Eigen::Vector3d mean_normal(const PeriodicDomain& domain) {
+Vec3 mean_normal(const PeriodicDomain& domain) {
   const Mesh& mesh = domain.tree().mesh(domain.tile());
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Vec3 sum{};
   if (mesh.dimension() == 3) return sum;
   for (Index f = 0; f < mesh.capacity(2); ++f) {
     if (!mesh.is_live(2, f)) continue;
-    for (int i = 0; i < 3; ++i) sum[i] += signed_measure(domain, f, Eigen::Vector3d::Unit(i));
+    sum[0] += signed_measure(domain, f, {1, 0, 0});
+    sum[1] += signed_measure(domain, f, {0, 1, 0});
+    sum[2] += signed_measure(domain, f, {0, 0, 1});
   }
-  return sum.stableNormalized();
+  return sum.unit_or_zero();
 }
 
 TileStaysPositive::TileStaysPositive(const PeriodicDomain& domain)

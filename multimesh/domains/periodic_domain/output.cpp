@@ -17,14 +17,13 @@ PeriodicTile PeriodicDomain::tile_lists() const {
   const std::vector<Index> number = data_->numbers();
   for (Index v = 0; v < number.size(); ++v) {
     if (number[v] == no_index) continue;
-    const Point& p = positions()[v];
-    out.points.push_back({p[0], p[1], p[2]});
+    out.points.push_back(positions()[v]);
   }
   out.facets.vertices = static_cast<Index>(out.points.size());
   for (Index f = 0; f < mesh.capacity(d); ++f) {
     if (!mesh.is_live(d, f)) continue;
     std::array<Index, 4> v{};
-    oriented_corners(mesh, f, v.data());
+    mesh.vertices(mesh.dart_of(d, f), v.data());
     for (std::size_t i = 0; i <= static_cast<std::size_t>(d); ++i) out.facets.corners.push_back(number[v[i]]);
     if (!data_->regions.empty()) out.regions.push_back(region(f));
   }
@@ -108,18 +107,17 @@ std::vector<PeriodicSide> PeriodicDomain::sides() const {
 
 PeriodicOptions options_of_pairs(std::vector<std::array<Index, 2>> pairs,
                                  std::span<const std::array<double, 3>> translations) {
-  std::vector<Eigen::Vector3d> vectors;
+  std::vector<Vec3> vectors;
   double longest = 0;
-  for (const auto& t : translations) longest = std::max(longest, vectors.emplace_back(t.data()).norm());
-  const std::vector<Eigen::Vector3d> basis = lattice_basis(vectors, 1e-6 * longest);
+  for (const auto& t : translations) longest = std::max(longest, vectors.emplace_back(t).norm());
+  const std::vector<Vec3> basis = lattice_basis(vectors, 1e-6 * longest);
   if (basis.empty()) throw InputError("the periodic links of the file have no translation");
 
   std::array<std::size_t, 3> order{0, 1, 2}, best = order;
   double most = -1;
   do {
     double parallel = 0;
-    for (std::size_t i = 0; i < basis.size(); ++i)
-      parallel += std::abs(basis[i][static_cast<Eigen::Index>(order[i])]) / basis[i].norm();
+    for (std::size_t i = 0; i < basis.size(); ++i) parallel += std::abs(basis[i][order[i]]) / basis[i].norm();
     if (parallel > most) most = parallel, best = order;
   } while (std::next_permutation(order.begin(), order.end()));
 
@@ -129,7 +127,7 @@ PeriodicOptions options_of_pairs(std::vector<std::array<Index, 2>> pairs,
   options.pairs = std::move(pairs);
   for (std::size_t i = 0; i < basis.size(); ++i) {
     const std::size_t axis = best[i];
-    const double sign = basis[i][static_cast<Eigen::Index>(axis)] < 0 ? -1 : 1;
+    const double sign = basis[i][axis] < 0 ? -1 : 1;
     options.axes[axis] = true;
     (*options.periods)[axis] = {sign * basis[i][0], sign * basis[i][1], sign * basis[i][2]};
   }

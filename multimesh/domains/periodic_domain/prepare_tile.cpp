@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 
 #include "multimesh/domains/periodic_domain/glue_tile.hpp"
 #include "multimesh/domains/periodic_domain/match_sides.hpp"
@@ -24,12 +25,12 @@ void check_lists(const PeriodicTile& in) {
   facets.vertices = static_cast<Index>(in.points.size());
   require_corners(facets, [](std::size_t f) { return "facet " + std::to_string(f) + " of the tile"; });
   for (const Index v : facets.corners)
-    if (!Eigen::Vector3d(in.points[v].data()).allFinite())
+    if (!std::ranges::all_of(in.points[v], [](double x) { return std::isfinite(x); }))
       throw InputError("the coordinates of vertex " + std::to_string(v) + " are not finite");
 }
 
-Lattice lattice_of(const PeriodicOptions& options, const Eigen::Vector3d& extents, double tolerance) {
-  Eigen::Matrix3d periods = extents.asDiagonal();
+Lattice lattice_of(const PeriodicOptions& options, const Vec3& extents, double tolerance) {
+  Eigen::Matrix3d periods = Eigen::Vector3d(extents.data()).asDiagonal();
   if (std::none_of(options.axes.begin(), options.axes.end(), [](bool on) { return on; }))
     throw InputError("the tile has no periodic axis");
   for (int i = 0; i < 3; ++i) {
@@ -49,7 +50,7 @@ void fit_copies(LabelledTile& tile, const Lattice& lattice, VertexClasses& class
   constexpr double rounding = 1e-15;
   for (Index v = 0; v < tile.point.size(); ++v) {
     if (tile.vertex_class[v] == no_index) continue;
-    const Eigen::Vector3d place = tile.point[classes.representative(v)] + lattice.shift(tile.offset[v]);
+    const Vec3 place = tile.point[classes.representative(v)] + lattice.shift(tile.offset[v]);
     const double distance = (place - tile.point[v]).norm() / diagonal;
     report.largest_shift = std::max(report.largest_shift, distance);
     if (distance > rounding) tile.point[v] = place;
@@ -77,14 +78,14 @@ PreparedTile prepare_tile(const PeriodicTile& input, const PeriodicOptions& opti
   LabelledTile tile;
   tile.facets = input.facets;
   tile.facets.vertices = static_cast<Index>(input.points.size());
-  for (const auto& p : input.points) tile.point.emplace_back(p.data());
+  for (const auto& p : input.points) tile.point.emplace_back(p);
   for (Index f = 0; f < tile.facets.size(); ++f) tile.input_facet.push_back(f);
 
   std::vector<Index> used = tile.facets.corners;
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  Eigen::Vector3d low = tile.point[used[0]], high = low;
-  for (const Index v : used) low = low.cwiseMin(tile.point[v]), high = high.cwiseMax(tile.point[v]);
+  Vec3 low = tile.point[used[0]], high = low;
+  for (const Index v : used) low = min(low, tile.point[v]), high = max(high, tile.point[v]);
   const double diagonal = (high - low).norm();
   if (!(options.tolerance > 0 && options.tolerance < 0.1))
     throw InputError("the tolerance of a periodic tile must be between 0 and 0.1 of its diagonal");

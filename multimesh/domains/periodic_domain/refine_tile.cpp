@@ -127,7 +127,7 @@ class Refiner {
   // Copies of an edge run the same way, so that their middles lie from each other as their first ends do.
   void add_middle(Index v, Index w, Index& of_edge) {
     if (of_edge == no_index) of_edge = tile_.classes++;
-    const Eigen::Vector3d middle = 0.5 * (tile_.point[v] + tile_.point[w]);
+    const Vec3 middle = 0.5 * (tile_.point[v] + tile_.point[w]);
     tile_.point.push_back(middle);
     tile_.offset.push_back(LatticeVector(tile_.offset[v]));
     tile_.vertex_class.push_back(of_edge);

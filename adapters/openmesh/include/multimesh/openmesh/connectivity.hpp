@@ -41,6 +41,7 @@ class Connectivity : public Mesh {
   // Properties of the user's (all but the status and our own): the mesh carries them through the operations
   // by fixed rules, whatever their type, unless they are left to somebody else.
   bool has_values(int k) const override;
+  void keep(int k, std::unique_ptr<ValueList> values) override;
   /// From now on, as long as `still` says so, somebody else writes this property in operations, with a
   /// journal of its own.
   void leave(const OpenMesh::BaseProperty& property, std::function<bool()> still);

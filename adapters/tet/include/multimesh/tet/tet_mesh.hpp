@@ -12,11 +12,14 @@
 #include "multimesh/error.hpp"
 #include "multimesh/mesh.hpp"
 #include "multimesh/tet/large_array.hpp"
-#include "multimesh/tet/property.hpp"
 #include "multimesh/tet/simplex_map.hpp"
 #include "multimesh/tet/simplex_property.hpp"
 
 namespace multimesh::tet {
+
+/// Values on the vertices or tetrahedra of a TetMesh.
+template <class T>
+using Property = ValuesOf<T>;
 
 /// A tetrahedral mesh: per tetrahedron its 4 vertices and, across each face, the neighbour with the
 /// permutation that takes local corners over; per vertex one tetrahedron. 37 bytes per tetrahedron and 5 per
@@ -82,6 +85,7 @@ class TetMesh final : public Mesh {
   void protect(int k, Index s) override;
 
   // --- properties
+  void keep(int k, std::unique_ptr<ValueList> values) override;
   /// Adds a column; the mesh owns it, the reference stays valid until it is removed. T{} everywhere.
   /// \throw UsageError if the name is taken
   template <class T>
@@ -102,7 +106,7 @@ class TetMesh final : public Mesh {
     return dynamic_cast<Property<T>*>(find(tet_properties_, name));
   }
   /// \throw UsageError for a property of another mesh, or that is removed
-  void remove_property(const PropertyBase& property);
+  void remove_property(const ValueList& property);
 
   /// A column on few of the edges (k = 1) or faces (k = 2); simplices without a value cost nothing. Halves of
   /// a split simplex keep its value. Where a collapse makes one simplex of two, it has the value of the one
@@ -205,7 +209,7 @@ class TetMesh final : public Mesh {
     std::vector<Index> rim;  ///< x0, x1, ...: one more than darts if open
     bool closed = false;
   };
-  using Properties = std::vector<std::unique_ptr<PropertyBase>>;
+  using Properties = std::vector<std::unique_ptr<ValueList>>;
 
   // codes
   static Permutation perm(std::uint32_t d) { return {static_cast<std::uint8_t>(d & 31U)}; }
@@ -260,14 +264,13 @@ class TetMesh final : public Mesh {
   // properties
   template <class T>
   Property<T>& add(Properties& list, std::string name, std::size_t n) {
-    if (find(list, name)) throw UsageError("the mesh has a property \"" + name + "\" already");
     auto made = std::make_unique<Property<T>>(std::move(name));
     Property<T>& property = *made;
-    static_cast<PropertyBase&>(property).resize(n);
-    list.push_back(std::move(made));
+    adopt(list, std::move(made), n);
     return property;
   }
-  static PropertyBase* find(const Properties& list, std::string_view name) {
+  static void adopt(Properties& list, std::unique_ptr<ValueList> values, std::size_t n);
+  static ValueList* find(const Properties& list, std::string_view name) {
     for (const auto& p : list)
       if (p->name() == name) return p.get();
     return nullptr;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "multimesh/embedding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "multimesh/domains/periodic_domain/tile_coordinates.hpp"
+#include "multimesh/domains/tets_stay_positive.hpp"
+
+namespace multimesh {
+
+namespace {
+
+/// Moves of a coordinate that are no more than this, relative to the size of the tile, are rounding.
+constexpr double rounding = 1e-15;
+
+}  // namespace
+
+Vec3 TileCoordinates::place_of_copy(Index copy, Index v, const Vec3& x) const {
+  const auto& offsets = domain_.offsets();
+  return copy == v ? x : x + domain_.lattice().shift(offsets[copy] - offsets[v]);
+}
+
+void TileCoordinates::set(Index v, const Vec3& x) {
+  const MultiMesh& tree = domain_.tree();
+  const Mesh& mesh = tree.mesh(node());
+  auto& positions = domain_.positions();
+  Vec3 to = x;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::abs(x[i] - positions[v][i]) <= rounding * domain_.diagonal()) to[i] = positions[v][i];
+  copies_.clear();
+  tree.to_child(node(), tree.to_parent(node(), mesh.dart_of(0, v)), 0, copies_);
+  const auto offset = [&](Dart d) { return domain_.offsets()[mesh.vertex(d)]; };
+  const Index first =
+      mesh.vertex(*std::ranges::min_element(copies_, [&](Dart d, Dart e) { return offset(d) < offset(e); }));
+  const Vec3 place = place_of_copy(first, v, to);
+  for (const Dart d : copies_) positions.set(mesh.vertex(d), place_of_copy(mesh.vertex(d), first, place));
+}
+
+// Where a vertex is merged into one with more copies than the edge has, it stays where it was.
+void CopiesKeepTheirOffsets::finish(const Event& event) {
+  if (event.operation == Operation::flip || event.copies.count(node()) < 2) return;
+  const Mesh& mesh = event.tree.mesh(node());
+  const auto& offsets = domain_.offsets();
+  vertices_.clear();
+  for (const Copy& c : event.copies.of(node()))
+    vertices_.push_back(
+        mesh.vertex(event.operation == Operation::split ? mesh.reorder(c.dart, exchange_ends) : c.dart));
+  const Index first =
+      *std::ranges::min_element(vertices_, [&](Index v, Index w) { return offsets[v] < offsets[w]; });
+  auto& positions = domain_.positions();
+  for (const Index v : vertices_) {
+    const Vec3 place = positions[first] + domain_.lattice().shift(offsets[v] - offsets[first]);
+    if (positions[v] != place) positions.set(v, place);
+  }
+}
+
+Embedding PeriodicDomain::embedding() {
+  Embedding e(tree());
+  e.set(LegalityOptions{.contact = true});
+  e.add(offsets());
+  e.add(positions());
+  e.add(sources_of_vertices());
+  e.add<CopiesKeepTheirOffsets>(*this);
+  const Coordinates& places =
+      e.add_coordinates(std::make_unique<TileCoordinates>(*this), Embedding::Kind::space);
+  if (tree().mesh(tile()).dimension() == 3)
+    e.add<TetsStayPositive>(places);
+  else if (report().inverted_facets == 0)
+    e.add<TileStaysPositive>(*this);
+  return e;
+}
+
+}  // namespace multimesh

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "multimesh/coordinates.hpp"
+#include "multimesh/domains/periodic_domain.hpp"
+
+namespace multimesh {
+
+/// The positions of a tile as an algorithm needs them: a vertex moves with all its copies, each of which lies
+/// at the place of the one with the least offset, shifted.
+class TileCoordinates final : public Coordinates {
+ public:
+  /// The domain must outlive it.
+  explicit TileCoordinates(PeriodicDomain& domain) : domain_(domain) {}
+  NodeId node() const override { return domain_.tile(); }
+  Vec3 at(Index v) const override { return domain_.positions()[v]; }
+  /// A coordinate that changes by rounding alone stays as it is: flat sides stay flat.
+  void set(Index v, const Vec3& x) override;
+  Vec3 place_of_copy(Index copy, Index v, const Vec3& x) const override;
+
+ private:
+  PeriodicDomain& domain_;
+  DartBuffer copies_;
+};
+
+/// What is interpolated on each copy by itself is made the same again: copies of a vertex differ by rounding.
+/// \pre among the attributes of the operations after the domain's own
+class CopiesKeepTheirOffsets final : public Attribute {
+ public:
+  explicit CopiesKeepTheirOffsets(PeriodicDomain& domain) : Attribute(domain.tile()), domain_(domain) {}
+  void update(Operation, const VertexChange&) override {}
+  void finish(const Event& event) override;
+  Mark mark() const override { return 0; }
+  void rollback(Mark) override {}
+  void forget() override {}
+
+ private:
+  PeriodicDomain& domain_;
+  std::vector<Index> vertices_;
+};
+
+}  // namespace multimesh
