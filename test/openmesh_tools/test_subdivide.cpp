@@ -5,10 +5,11 @@
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "multimesh/algorithms/subdivide.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
-#include "multimesh/openmesh/attach.hpp"
+#include "multimesh/domains/attached_embedding.hpp"
 #include "multimesh/validate.hpp"
 #include "test/openmesh_tools/textured_torus.hpp"
 
@@ -75,8 +76,7 @@ TYPED_TEST(Subdivide, IsThatOfOpenMeshOnAMeshAlone) {
     TypeParam ours, theirs;
     make_torus(ours, 9, 7, 1, open), make_torus(theirs, 9, 7, 1, open);
     openmesh::Attached attached(ours);
-    CoordinatesOf positions(attached.points());
-    for (int step = 0; step < 2; ++step) subdivide(attached.operations(), positions, {}, Subdivision::loop);
+    for (int step = 0; step < 2; ++step) (void)subdivide(embedding(attached), NodeId::root);
     OpenMesh::Subdivider::Uniform::LoopT<TypeParam> loop;
     loop.attach(theirs), loop(2), loop.detach();
     EXPECT_EQ(ours.n_vertices(), theirs.n_vertices());
@@ -96,12 +96,10 @@ TYPED_TEST(Subdivide, DividesAllMeshes) {
       const auto h = mesh.halfedge_handle(e, 0);
       return mesh.from_vertex_handle(h).idx() % 11 == 3 && mesh.to_vertex_handle(h).idx() % 11 == 3;
     });
-    CoordinatesOf positions(attached.points());
-    CoordinatesOf places(attached.texcoords());
-    Coordinates* below[] = {&places};
     const MeshReport before = report(attached.tree().mesh(texture));
     const std::size_t curve_edges = report(attached.tree().mesh(curve)).edges, faces = mesh.n_faces();
-    subdivide(attached.operations(), positions, below, scheme);
+    const SubdivideResult r = subdivide(embedding(attached), NodeId::root, {scheme});
+    EXPECT_EQ(r.refused_splits + r.refused_swaps + r.shortened_moves + r.refused_moves, 0U);
     EXPECT_EQ(validate(attached.tree()), Problems{});
     EXPECT_EQ(mesh.n_faces(), 4 * faces);
     const MeshReport after = report(attached.tree().mesh(texture));
@@ -125,10 +123,7 @@ TYPED_TEST(Subdivide, ByMidpointsKeepsPlacesInTheTexture) {
   }
   openmesh::Attached attached(mesh);
   (void)attached.add_texture();
-  CoordinatesOf positions(attached.points());
-  CoordinatesOf places(attached.texcoords());
-  Coordinates* below[] = {&places};
-  subdivide(attached.operations(), positions, below, Subdivision::midpoint);
+  (void)subdivide(embedding(attached), NodeId::root, {Subdivision::midpoint});
   for (const auto f : mesh.faces())
     for (const auto h : mesh.fh_range(f)) {
       const auto p = mesh.point(mesh.to_vertex_handle(h));
@@ -144,14 +139,33 @@ TYPED_TEST(Subdivide, IsUndoneAsAWhole) {
   (void)attached.add_texture();
   const auto before = triangles(mesh, 1e-6);
   int left = 20;
-  FunctionInvariant enough("enough", [&](const Event&) { return --left > 0; });
+  FunctionInvariant enough("enough", [&](const Event&) {
+    if (--left == 0) throw std::runtime_error("enough");
+    return true;
+  });
   attached.operations().add(enough);
-  CoordinatesOf positions(attached.points());
-  EXPECT_THROW(subdivide(attached.operations(), positions, {}, Subdivision::loop), UsageError);
+  EXPECT_THROW((void)subdivide(embedding(attached), NodeId::root), std::runtime_error);
   EXPECT_TRUE(triangles(mesh, 1e-6) == before);
   EXPECT_EQ(mesh.n_faces(), before.size());
   EXPECT_EQ(validate(attached.tree()), Problems{});
   attached.tree().require_in_step();
+}
+
+TYPED_TEST(Subdivide, SaysWhatIsRefused) {
+  TypeParam mesh;
+  make_torus(mesh, 8, 6, 2, false);
+  openmesh::Attached attached(mesh);
+  const std::size_t faces = mesh.n_faces();
+  FunctionInvariant no_moves("no moves", [](const Event& e) { return e.operation != Operation::relocate; });
+  FunctionInvariant few("few", [&](const Event&) { return mesh.n_vertices() < 60; });
+  attached.operations().add(no_moves).add(few);
+  const SubdivideResult r = subdivide(embedding(attached), NodeId::root);
+  EXPECT_EQ(r.splits + r.refused_splits, 3 * faces / 2);
+  EXPECT_GT(r.refused_splits, 0U);
+  EXPECT_EQ(r.moves, 0U);
+  EXPECT_GT(r.refused_moves, 0U);
+  EXPECT_EQ(mesh.n_faces(), faces + 2 * r.splits);
+  EXPECT_EQ(validate(attached.tree()), Problems{});
 }
 
 }  // namespace

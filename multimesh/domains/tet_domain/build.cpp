@@ -15,7 +15,6 @@
 #include "multimesh/faces.hpp"
 #include "multimesh/geometry/orient3d.hpp"
 #include "multimesh/geometry/tet_shape.hpp"
-#include "multimesh/openmesh/add_values.hpp"
 #include "multimesh/tet/simplex_map.hpp"
 
 namespace multimesh {
@@ -155,10 +154,10 @@ void add_surface(const TaggedTetrahedra& input, const TetDomainOptions& options,
   if (!any) return;
   out.surface = add_child_from_tags(
       *out.tree, NodeId::root, 2, [&](Index s) { return tagged[s]; }, make_mesh);
-  auto& om = out.openmesh(*out.surface);
-  out.patches = &openmesh::add_values(om, OpenMesh::FPropHandleT<Tag>(), "patch");
-  out.triangle_flags = &openmesh::add_values(om, OpenMesh::FPropHandleT<std::uint8_t>(), "flags");
-  out.implied = &openmesh::add_values(om, OpenMesh::FPropHandleT<char>(), "implied");
+  Mesh& surface = out.tree->mesh(*out.surface);
+  out.patches = &surface.add_values<Tag>(2, "patch");
+  out.triangle_flags = &surface.add_values<std::uint8_t>(2, "flags");
+  out.implied = &surface.add_values<char>(2, "implied");
   for (std::size_t f = 0; f < faces.size(); ++f) {
     (*out.patches)[f] = faces[f].patch;
     (*out.implied)[f] = faces[f].implied;
@@ -330,10 +329,10 @@ std::vector<bool> add_curves(const TaggedTetrahedra& input, const TetDomainOptio
   const CutOptions ends{[&](Index v) { return kinds[source[v]].size() > 1; }};
   out.curves = add_child_from_tags(
       *out.tree, NodeId::root, 1, [&](Index s) { return tagged[s]; }, make_mesh, ends);
-  out.curve_tags = &openmesh::add_values(out.openmesh(*out.curves), OpenMesh::EPropHandleT<Tag>(), "tag");
+  Mesh& lines = out.tree->mesh(*out.curves);
+  out.curve_tags = &lines.add_values<Tag>(1, "tag");
   std::copy(tags.begin(), tags.end(), out.curve_tags->begin());
-  out.curve_flags =
-      &openmesh::add_values(out.openmesh(*out.curves), OpenMesh::EPropHandleT<std::uint8_t>(), "flags");
+  out.curve_flags = &lines.add_values<std::uint8_t>(1, "flags");
   std::copy(flags.begin(), flags.end(), out.curve_flags->begin());
   return touching;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "multimesh/domains/tet_domain.hpp"
-#include "multimesh/openmesh/connectivity.hpp"
 #include "multimesh/tet/simplex_map.hpp"
 
 namespace multimesh {
@@ -29,10 +28,6 @@ struct TetDomain::Data {
   std::vector<Tag>* fixed_tags = nullptr;  // per fixed point; so are the flags
   std::vector<std::uint8_t>* fixed_flags = nullptr;
   TetDomainReport report;
-
-  OpenMesh::PolyConnectivity& openmesh(NodeId n) {
-    return dynamic_cast<openmesh::Connectivity&>(tree->mesh(n)).openmesh();
-  }
 };
 
 /// How the root relates to the input.

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "multimesh/build.hpp"
+#include "multimesh/domains/make_mesh.hpp"
 #include "multimesh/domains/textured_surface/data.hpp"
-#include "multimesh/openmesh/make_mesh.hpp"
 
 namespace multimesh {
 
@@ -138,9 +138,9 @@ bool CurveBuilder::ends_at(Index vertex) const {
 void CurveBuilder::add() {
   const NodeId node =
       add_child_from_tags(*out_.tree, NodeId::root, 1, [&](Index e) { return kinds_[e] != no_curve; },
-                          openmesh::make_mesh, {[&](Index v) { return ends_at(v); }});
+                          make_mesh, {[&](Index v) { return ends_at(v); }});
   out_.curves = node;
-  out_.curve_kinds = out_.add_property(node, OpenMesh::EPropHandleT<CurveKinds>(), "curve kinds");
+  out_.curve_kinds = out_.add_values<CurveKinds>(node, 1, "curve kinds");
   const Mesh& curves = out_.tree->mesh(node);
   for (Index c = 0; c < curves.capacity(1); ++c)
     (*out_.curve_kinds)[c] = kinds_[root_.simplex(out_.tree->to_parent(node, curves.dart_of(1, c)), 1)];

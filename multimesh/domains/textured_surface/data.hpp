@@ -4,12 +4,10 @@
 
 #include "multimesh/cut.hpp"
 #include "multimesh/domains/textured_surface.hpp"
-#include "multimesh/openmesh/add_values.hpp"
-#include "multimesh/openmesh/connectivity.hpp"
 
 namespace multimesh {
 
-/// The lists are OpenMesh properties: they grow with their mesh, and are compacted with it.
+/// The lists belong to their meshes: they grow with them, and are compacted with them.
 struct TexturedSurface::Data {
   std::unique_ptr<MultiMesh> tree;
   std::vector<NodeId> textures;               // by set
@@ -28,13 +26,10 @@ struct TexturedSurface::Data {
   std::vector<Vec2> no_texcoords;
   std::vector<Vec3> no_colors;
 
-  openmesh::Connectivity& connectivity(NodeId n) {
-    return dynamic_cast<openmesh::Connectivity&>(tree->mesh(n));
-  }
-  /// The list of a new property, which the mesh owns.
-  template <class Handle>
-  auto* add_property(NodeId n, Handle handle, const char* name) {
-    return &openmesh::add_values(connectivity(n).openmesh(), handle, name);
+  /// The list of new values, which the mesh owns.
+  template <class T>
+  std::vector<T>* add_values(NodeId n, int k, const char* name) {
+    return &tree->mesh(n).add_values<T>(k, name);
   }
 };
 

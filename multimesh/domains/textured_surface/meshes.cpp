@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "multimesh/domains/make_mesh.hpp"
 #include "multimesh/domains/shading.hpp"
 #include "multimesh/domains/textured_surface/data.hpp"
-#include "multimesh/openmesh/make_mesh.hpp"
 #include "multimesh/openmesh/texture_child.hpp"
 
 namespace multimesh {
@@ -27,21 +27,21 @@ std::size_t input_corner(const Cut& cut, Index facet, std::size_t i) {
 }
 
 void lock_copies(std::size_t positions, TexturedSurface::Data& out) {
-  out.is_copy = out.add_property(NodeId::root, OpenMesh::VPropHandleT<char>(), "copy");
+  out.is_copy = out.add_values<char>(NodeId::root, 0, "copy");
   std::vector<Index> copies(positions, 0);
   for (const Index v : *out.source_position) ++copies[v];
-  Mesh& mesh = out.connectivity(NodeId::root);
+  Mesh& root = out.tree->mesh(NodeId::root);
   for (Index v = 0; v < out.source_position->size(); ++v) {
     const bool copied = copies[(*out.source_position)[v]] > 1;
     (*out.is_copy)[v] = copied;
-    if (copied) mesh.set_locked(v, true);
+    if (copied) root.set_locked(v, true);
   }
   for (const Index n : copies) out.report.copied_vertices += n > 1 ? n - 1 : 0;
 }
 
 void add_colors(const TexturedTriangles& input, TexturedSurface::Data& out) {
   if (input.colors.empty()) return;
-  out.colors = out.add_property(NodeId::root, OpenMesh::VPropHandleT<Vec3>(), "color");
+  out.colors = out.add_values<Vec3>(NodeId::root, 0, "color");
   for (Index v = 0; v < out.colors->size(); ++v) (*out.colors)[v] = input.colors[(*out.source_position)[v]];
 }
 
@@ -56,8 +56,8 @@ Index opposite_edge(const Mesh& root, const Cut& cut, Index f, std::size_t i) {
 
 void add_shading(const TexturedTriangles& input, const Cut& cut, TexturedSurface::Data& out) {
   if (input.shading.empty()) return;
-  out.hard = out.add_property(NodeId::root, OpenMesh::EPropHandleT<char>(), "mm:hard");
-  out.triangle_shading = out.add_property(NodeId::root, OpenMesh::FPropHandleT<char>(), "shading");
+  out.hard = out.add_values<char>(NodeId::root, 1, "mm:hard");
+  out.triangle_shading = out.add_values<char>(NodeId::root, 2, "shading");
   const Mesh& root = out.tree->mesh(NodeId::root);
   for (Index f = 0; f < input.shading.size(); ++f) {
     const unsigned bits = input.shading[f];
@@ -90,11 +90,11 @@ openmesh::TexturedCorners textured_part(const TexturedTriangles& input, const Cu
 
 Cut add_surface(const TexturedTriangles& input, TexturedSurface::Data& out) {
   Cut cut = multimesh::cut(by_position(input));
-  out.tree = std::make_unique<MultiMesh>(openmesh::make_mesh(cut.facets));
-  out.positions = out.add_property(NodeId::root, OpenMesh::VPropHandleT<Vec3>(), "position");
-  out.source_position = out.add_property(NodeId::root, OpenMesh::VPropHandleT<Index>(), "source position");
-  out.source_triangle = out.add_property(NodeId::root, OpenMesh::FPropHandleT<Index>(), "source triangle");
-  out.reversed = out.add_property(NodeId::root, OpenMesh::FPropHandleT<char>(), "reversed");
+  out.tree = std::make_unique<MultiMesh>(make_mesh(cut.facets));
+  out.positions = out.add_values<Vec3>(NodeId::root, 0, "position");
+  out.source_position = out.add_values<Index>(NodeId::root, 0, "source position");
+  out.source_triangle = out.add_values<Index>(NodeId::root, 2, "source triangle");
+  out.reversed = out.add_values<char>(NodeId::root, 2, "reversed");
   for (Index v = 0; v < cut.source.size(); ++v) {
     (*out.positions)[v] = input.positions[cut.source[v]];
     (*out.source_position)[v] = cut.source[v];
@@ -121,7 +121,7 @@ void add_texture(const TexturedTriangles& input, const Cut& surface, std::size_t
   const auto child =
       openmesh::add_texture_child(*out.tree, NodeId::root, std::move(part), input.texcoords_of(set));
   out.textures.push_back(child.node);
-  out.texcoords.push_back(out.add_property(child.node, OpenMesh::VPropHandleT<Vec2>(), "texcoord"));
+  out.texcoords.push_back(out.add_values<Vec2>(child.node, 0, "texcoord"));
   for (Index v = 0; v < child.texcoord.size(); ++v)
     (*out.texcoords.back())[v] = input.texcoords_of(set)[child.texcoord[v]];
 }

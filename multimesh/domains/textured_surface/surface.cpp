@@ -77,7 +77,7 @@ bool TexturedSurface::is_copy(Index vertex) const {
 }
 
 void TexturedSurface::set_locked(Index vertex, bool on) {
-  data_->connectivity(NodeId::root).set_locked(vertex, on || is_copy(vertex));
+  data_->tree->mesh(NodeId::root).set_locked(vertex, on || is_copy(vertex));
 }
 
 bool TexturedSurface::has_normals() const {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "multimesh/embedding.hpp"
+
+namespace multimesh::test {
+
+/// A domain with a surface in it that an algorithm is asked for.
+class SurfaceInDomain {
+ public:
+  virtual ~SurfaceInDomain() = default;
+  virtual const MultiMesh& tree() const = 0;
+  virtual NodeId surface() const = 0;
+  virtual Embedding embedding() = 0;
+  /// Where a vertex of the surface is, by what the domain stores.
+  virtual Vec3 place(Dart vertex) const = 0;
+  /// What else must hold after an algorithm, or an empty string: what follows the positions is where it
+  /// belongs, and nothing has turned over.
+  virtual std::string fault() const = 0;
+  /// Of the surface's triangles. Those here keep it but for curved parts.
+  virtual double area() const;
+};
+
+/// One domain per kind; what is below it and above it is in the name.
+struct DomainCase {
+  const char* name;
+  std::unique_ptr<SurfaceInDomain> (*make)();
+  /// Tetrahedra that the surface is a part of are left as they are by the algorithm, and stand in its way.
+  bool in_tets = false;
+};
+inline void PrintTo(const DomainCase& c, std::ostream* out) {
+  *out << c.name;
+}
+/// A textured surface, an attached OpenMesh mesh with texture and curve, the surface and the interfaces of
+/// tetrahedra, a tile, and the surface of the material in a tile of tetrahedra.
+std::vector<DomainCase> domain_cases();
+
+/// What every algorithm must keep: the Betti numbers of all meshes, and which faces are boundary.
+struct TreeFacts {
+  std::vector<std::vector<long>> betti;
+  std::vector<std::size_t> boundaries;  ///< of those of dimension 1 and 2: ends or loops
+  friend bool operator==(const TreeFacts&, const TreeFacts&) = default;
+};
+TreeFacts facts_of(const MultiMesh& tree);
+
+/// All that is wrong with a domain after an algorithm, or an empty string.
+std::string fault_of(SurfaceInDomain& domain, const TreeFacts& before);
+
+std::size_t live_facets(const Mesh& mesh);
+
+}  // namespace multimesh::test

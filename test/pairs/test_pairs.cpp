@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each algorithm for surfaces in each domain: the same call, and whatever else is in the tree goes along.
+#include <gtest/gtest.h>
+
+#include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/algorithms/subdivide.hpp"
+#include "test/pairs/domains.hpp"
+
+namespace multimesh::test {
+namespace {
+
+class Pairs : public testing::TestWithParam<DomainCase> {
+ protected:
+  std::unique_ptr<SurfaceInDomain> domain_ = GetParam().make();
+  TreeFacts before_ = facts_of(domain_->tree());
+  double area_ = domain_->area();
+
+  const Mesh& mesh() const { return domain_->tree().mesh(domain_->surface()); }
+  double mean_edge() const {
+    double sum = 0;
+    std::size_t n = 0;
+    for (Index e = 0; e < mesh().capacity(1); ++e)
+      if (mesh().is_live(1, e)) {
+        const Dart d = mesh().dart_of(1, e);
+        sum += (domain_->place(d) - domain_->place(mesh().reorder(d, exchange_ends))).norm(), ++n;
+      }
+    return sum / double(n);
+  }
+};
+
+TEST_P(Pairs, RemeshReachesTheLength) {
+  for (const double share : {0.6, 1.5}) {
+    domain_ = GetParam().make();
+    RemeshOptions options;
+    options.length = share * mean_edge();
+    options.iterations = 5;
+    const RemeshResult r = remesh(domain_->embedding(), domain_->surface(), options);
+    EXPECT_EQ(fault_of(*domain_, before_), "") << share;
+    EXPECT_NEAR(domain_->area(), area_, 1e-9 * area_);
+    EXPECT_GT(r.moves, 0U);
+    EXPECT_GT(double(r.edges_in_range), (GetParam().in_tets ? 0.6 : 0.8) * double(r.edges)) << share;
+  }
+}
+
+TEST_P(Pairs, SubdivideMakesFourOfEachTriangle) {
+  for (const Subdivision scheme : {Subdivision::midpoint, Subdivision::loop}) {
+    domain_ = GetParam().make();
+    const std::size_t faces = live_facets(mesh());
+    const SubdivideResult r = subdivide(domain_->embedding(), domain_->surface(), {scheme});
+    EXPECT_EQ(fault_of(*domain_, before_), "");
+    EXPECT_EQ(live_facets(mesh()), 4 * faces);
+    EXPECT_EQ(r.refused_splits + r.refused_swaps, 0U);
+    EXPECT_NEAR(domain_->area(), area_, 1e-9 * area_);  // corners and creases are lines of the tree
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Pairs, testing::ValuesIn(domain_cases()),
+                         [](const auto& i) { return std::string(i.param.name); });
+
+}  // namespace
+}  // namespace multimesh::test
