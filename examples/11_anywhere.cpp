@@ -113,7 +113,8 @@ int main(int, char** arguments) try {
   TexturedSurface textured(file.input);
   bool ok = run("with a texture", textured.embedding(), NodeId::root, 0.05);
 
-  TexturedTriangles bare{.positions = file.input.positions, .triangles = file.input.triangles};
+  TexturedTriangles bare = file.input;
+  bare.texcoords.clear(), bare.more_uv_sets.clear(), bare.shading.clear();
   for (auto& triangle : bare.triangles)
     for (auto& corner : triangle) corner.texcoord = -1;
   TexturedSurface plain(bare);
@@ -123,10 +124,12 @@ int main(int, char** arguments) try {
   TaggedTetrahedra input;
   input.points = box.points;
   input.tets = box.facets;
-  TetDomain domain(input, {.feature_angle = 0.5});  // its edges are curves
+  TetDomain domain(input, {.feature_angle = 0.5});  // the edges of the box are curves
   ok &= run("surface of tetrahedra", domain.embedding(), *domain.surface(), 0.2);
 
-  PeriodicDomain tile(cube(12, 2), {.axes = {true, true, false}});
+  PeriodicOptions in_plane;
+  in_plane.axes = {true, true, false};
+  PeriodicDomain tile(cube(12, 2), in_plane);
   ok &= run("periodic tile", tile.embedding(), tile.tile(), 0.15);
   return ok && tile.mismatch() < 1e-15 ? 0 : 1;
 } catch (const std::exception& e) {

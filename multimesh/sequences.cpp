@@ -58,20 +58,28 @@ Dart Propagation::after_split(NodeId n, Dart e, End end) const {
   }
 }
 
+namespace {
+
+bool is_above(const MultiMesh& tree, NodeId ancestor, NodeId n) {
+  while (n != ancestor && n != NodeId::root) n = tree.parent(n);
+  return n == ancestor;
+}
+
+}  // namespace
+
 // The edge must be interior in every mesh of dimension 2 or more, and in no mesh of dimension 1. The edge of
 // a surface may lie in the boundary of the tetrahedra above, if the faces at it do.
 bool Propagation::swappable(NodeId n, Dart e) {
   tree_.require_dart(n, e);
   tree_.require_simplex(n, e, 1);
-  const Dart in_root = tree_.to_root(n, e);
-  copies_.collect(tree_, in_root, 1);
+  copies_.collect(tree_, n, e, 1);
   const auto copies = std::as_const(copies_).all();
   return std::all_of(copies.begin(), copies.end(), [&](const Copy& c) {
     const Mesh& mesh = tree_.mesh(c.node);
     if (mesh.dimension() < 2) return false;
     if (!mesh.is_boundary(c.dart, 1)) return true;
-    return c.node == NodeId::root && tree_.mesh(n).dimension() == 2 && mesh.dimension() == 3 &&
-           mesh.is_boundary(in_root, 2);
+    return tree_.mesh(n).dimension() == 2 && mesh.dimension() == 3 && is_above(tree_, c.node, n) &&
+           mesh.is_boundary(tree_.to_ancestor(n, e, c.node), 2);
   });
 }
 

@@ -150,17 +150,25 @@ void Subdivider::split_tets_with_several_faces() {
   while (n != NodeId::root && tree_.mesh(n).dimension() < 3) n = tree_.parent(n);
   const Mesh& mesh = tree_.mesh(n);
   if (mesh.dimension() < 3) return;
-  std::vector<Index> tets;
+  const auto corners = [&](Dart d) {
+    std::array<Index, 4> v{};
+    mesh.vertices(d, v.data());
+    std::ranges::sort(v);
+    return v;
+  };
+  std::vector<std::array<Index, 4>> tets;  // by vertices: indices are not kept around the one that is split
   DartBuffer star;
   for (Index f = 0; f < mesh_.capacity(2); ++f) {
     if (!mesh_.is_live(2, f)) continue;
     mesh.star(tree_.to_ancestor(node_, mesh_.dart_of(2, f), n), 2, star);
-    for (const Dart d : star) tets.push_back(mesh.facet(d));
+    for (const Dart d : star) tets.push_back(corners(d));
   }
   std::ranges::sort(tets);
   for (std::size_t i = 1; i < tets.size(); ++i) {
     if (tets[i] != tets[i - 1] || (i > 1 && tets[i] == tets[i - 2])) continue;
-    result_.split_tets += bool(operations_.split_simplex(n, mesh.dart_of(3, tets[i]), 3));
+    mesh.star(mesh.dart_of(0, tets[i][0]), 0, star);
+    const auto tet = std::ranges::find_if(star, [&](Dart d) { return corners(d) == tets[i]; });
+    if (tet != star.end()) result_.split_tets += bool(operations_.split_simplex(n, *tet, 3));
   }
 }
 

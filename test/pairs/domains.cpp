@@ -142,9 +142,9 @@ class Tetrahedra final : public SurfaceInDomain {
 };
 
 /// A tile of triangles; or one of tetrahedra, for its surface.
-class Tile final : public SurfaceInDomain {
+class GluedBox final : public SurfaceInDomain {
  public:
-  Tile(const PeriodicTile& tile, const PeriodicOptions& options) : domain_(tile, options) {
+  GluedBox(const PeriodicTile& tile, const PeriodicOptions& options) : domain_(tile, options) {
     surface_ = tile.facets.dimension == 3 ? *domain_.add_surface() : domain_.tile();
   }
   const MultiMesh& tree() const override { return domain_.tree(); }
@@ -167,22 +167,17 @@ class Tile final : public SurfaceInDomain {
 }  // namespace
 
 std::vector<DomainCase> domain_cases() {
+  using Pointer = std::unique_ptr<SurfaceInDomain>;
   return {
-      {"TexturedSurface", [] { return std::unique_ptr<SurfaceInDomain>(std::make_unique<Textured>()); }},
-      {"AttachedMesh", [] { return std::unique_ptr<SurfaceInDomain>(std::make_unique<AttachedMesh>()); }},
-      {"SurfaceOfTetrahedra", [] { return std::unique_ptr<SurfaceInDomain>(std::make_unique<Tetrahedra>()); },
-       true},
+      {"TexturedSurface", []() -> Pointer { return std::make_unique<Textured>(); }, false, true},
+      {"AttachedMesh", []() -> Pointer { return std::make_unique<AttachedMesh>(); }, false, true},
+      {"SurfaceOfTetrahedra", []() -> Pointer { return std::make_unique<Tetrahedra>(); }, true, false},
       {"PeriodicTile",
-       [] {
-         return std::unique_ptr<SurfaceInDomain>(
-             std::make_unique<Tile>(square_tile(12, 10), along(true, true, false)));
-       }},
+       []() -> Pointer { return std::make_unique<GluedBox>(square_tile(12, 10), along(true, true, false)); },
+       false, false},
       {"SurfaceInPeriodicTile",
-       [] {
-         return std::unique_ptr<SurfaceInDomain>(
-             std::make_unique<Tile>(cube_tile(5), along(true, true, false)));
-       },
-       true},
+       []() -> Pointer { return std::make_unique<GluedBox>(cube_tile(5), along(true, true, false)); }, true,
+       false},
   };
 }
 

@@ -30,8 +30,10 @@ class SurfaceInDomain {
 struct DomainCase {
   const char* name;
   std::unique_ptr<SurfaceInDomain> (*make)();
-  /// Tetrahedra that the surface is a part of are left as they are by the algorithm, and stand in its way.
+  /// Tetrahedra around the surface follow, but nobody improves them: they stand in its way.
   bool in_tets = false;
+  /// Lines of the surface have corners that no mesh keeps: they are rounded off.
+  bool loose_corners = false;
 };
 inline void PrintTo(const DomainCase& c, std::ostream* out) {
   *out << c.name;
