@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "adapters/files/surface_file.hpp"
 #include "multimesh/domains/periodic_domain.hpp"
 #include "multimesh/domains/tet_domain.hpp"
 #include "multimesh/embedding.hpp"
+#include "multimesh/files/surface_file.hpp"
 #include "multimesh/tree_strata.hpp"
 #include "multimesh/validate.hpp"
 
