@@ -353,10 +353,10 @@ void add_fixed_points(const TaggedTetrahedra& input, const JoinedMesh& joined,
   if (tags.empty()) return;
   out.fixed_points = add_child_from_tags(
       *out.tree, NodeId::root, 0, [&](Index v) { return fixed[v]; }, make_mesh);
-  auto& om = out.openmesh(*out.fixed_points);
-  out.fixed_tags = &openmesh::add_values(om, OpenMesh::VPropHandleT<Tag>(), "tag");
+  Mesh& points = out.tree->mesh(*out.fixed_points);
+  out.fixed_tags = &points.add_values<Tag>(0, "tag");
   *out.fixed_tags = std::move(tags);
-  out.fixed_flags = &openmesh::add_values(om, OpenMesh::VPropHandleT<std::uint8_t>(), "flags");
+  out.fixed_flags = &points.add_values<std::uint8_t>(0, "flags");
   *out.fixed_flags = std::move(flags);
 }
 
