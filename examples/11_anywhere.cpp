@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An algorithm that is written for a surface, and runs unchanged wherever the surface is: short edges are
-// collapsed on a plain one, on one with a texture below, on the surface of tetrahedra, which follow, and on a
-// periodic tile, whose copies of a vertex are one.
+// An algorithm that is written for a surface, and runs unchanged wherever the surface is. Short edges are
+// collapsed on a plain surface, on one with a texture below, on the surface of tetrahedra, which follow, and
+// on a periodic tile, whose copies of a vertex move as one.
 #include <algorithm>
 #include <iostream>
 
@@ -15,7 +15,7 @@
 using namespace multimesh;
 
 // [algorithm]
-/// Collapses edges until none that may go is shorter than `shortest`. Lines of the tree stay lines.
+/// Collapses edges until no edge that may be collapsed is shorter than `shortest`. Curves stay curves.
 class Coarsening {
  public:
   Coarsening(const Embedding& embedding, NodeId n, double shortest)
@@ -41,12 +41,12 @@ class Coarsening {
              surface_.operations().collapse(surface_.node(), d, Placement::keep_b());
     });
   }
-  /// Of (a, b, ..): whether a is on no line, or on one that the edge is a part of.
+  /// For (a, b, ..): whether a is on no curve, or on a curve that contains the edge.
   bool may_go(Dart d) {
     const Freedom freedom = strata_.freedom(d);
     return freedom == Freedom::surface || (freedom == Freedom::line && !strata_.is_plain(d));
   }
-  /// Whether a can go to b: at all copies of the edge, in space and in every chart below.
+  /// Whether a can move to b: at all copies of the edge, in space and in every chart below.
   bool turns_nothing_over(Dart d) {
     copies_.collect(surface_.tree(), surface_.node(), d, 1);
     return turns_nothing_over(surface_.positions()) &&

@@ -18,9 +18,9 @@ class Coordinates {
   virtual ~Coordinates() = default;
   virtual NodeId node() const = 0;
   virtual Vec3 at(Index v) const = 0;
-  /// Other copies of the vertex in this mesh may follow: see place_of_copy.
+  /// Other copies of the vertex in this mesh may move too: see place_of_copy.
   virtual void set(Index v, const Vec3& x) = 0;
-  /// Where another copy of v in this mesh is when v is at x: there as well, but in periodic tiles.
+  /// The place of another copy of v in this mesh when v is at x: also x, except in periodic tiles.
   virtual Vec3 place_of_copy(Index /*copy*/, Index /*v*/, const Vec3& x) const { return x; }
 };
 

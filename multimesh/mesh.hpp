@@ -166,9 +166,9 @@ class Mesh {
   virtual void flip_edge(Dart) {}
 
   // --- values that the mesh itself stores; all others are attributes
-  /// The list of new values on the k-simplices, initial_value() everywhere. The mesh owns it: it grows with
-  /// the mesh and is compacted with it; new facets have the value of the one that they are a part of. \pre
-  /// stores(k); a type that can be copied, and is not bool. \throw UsageError if the mesh keeps no values
+  /// Adds a list of values on the k-simplices, initially initial_value(). The mesh owns it: it grows and is
+  /// compacted with the mesh; new facets have the value of the one that they are part of. \pre stores(k); a
+  /// copyable type other than bool. \throw UsageError if the mesh stores no values
   template <class T>
   std::vector<T>& add_values(int k, std::string name) {
     auto made = std::make_unique<ValuesOf<T>>(std::move(name));

@@ -10,7 +10,7 @@
 
 namespace multimesh {
 
-/// A named list of values of some type, one per slot of a kind of simplex, as the mesh sees it that owns it.
+/// A named list of values of some type, one per slot of a kind of simplex, as its owning mesh sees it.
 class ValueList {
  public:
   explicit ValueList(std::string name) : name_(std::move(name)) {}
@@ -26,7 +26,7 @@ class ValueList {
   virtual void reset(Index i) = 0;    ///< to the value of a new slot
   virtual void save(Index i) = 0;     ///< pushes the value
   virtual void restore(Index i) = 0;  ///< pops it
-  virtual void forget() = 0;          ///< what was pushed
+  virtual void forget() = 0;          ///< the saved values
   /// Moves value i to place[i]; no_index: dropped.
   virtual void compact(const std::vector<Index>& place, std::size_t n) = 0;
   virtual std::unique_ptr<ValueList> clone() const = 0;
@@ -38,7 +38,7 @@ class ValueList {
   std::string name_;
 };
 
-/// What a new slot holds (Eigen's types: zeros).
+/// The initial value of a new slot (Eigen's types: zeros).
 template <class T>
 T initial_value() {
   if constexpr (requires { T::Zero(); }) {
@@ -49,7 +49,7 @@ T initial_value() {
 }
 
 /// Values of one type. `values` has one entry per slot, dead ones included; new slots hold initial_value().
-/// Writes in transactions go through a VertexAttribute or Column over `values`, or after Mesh::protect.
+/// In transactions, write through a VertexAttribute or Column over `values`, or after Mesh::protect.
 template <class T>
 class ValuesOf final : public ValueList {
  public:

@@ -8,12 +8,12 @@
 
 namespace multimesh::openmesh {
 
-/// The type of an OpenMesh property of values whose type only the list knows.
+/// The type of an OpenMesh property whose values have a type that only the list knows.
 struct Kept {};
 
 }  // namespace multimesh::openmesh
 
-/// Lets a ValueList follow an OpenMesh mesh as its other properties do, copies of the mesh included.
+/// Makes a ValueList follow an OpenMesh mesh like its other properties, copies of the mesh included.
 template <>
 class OpenMesh::PropertyT<multimesh::openmesh::Kept> final : public OpenMesh::BaseProperty {
  public:

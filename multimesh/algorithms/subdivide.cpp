@@ -14,8 +14,8 @@ namespace multimesh {
 
 namespace {
 
-/// One mesh with coordinates, the surface or a chart below it: the rules for its vertices, by its neighbours
-/// before anything is done.
+/// One mesh with coordinates, the surface or a chart below it: the rules for its vertices, from the original
+/// neighbours.
 class Rules {
  public:
   Rules(const EmbeddedMesh& surface, Coordinates& at, TreeStrata& strata, Subdivision scheme)
@@ -120,7 +120,7 @@ class Subdivider {
   NodeId node_;
   const Mesh& mesh_;
   TreeStrata strata_;
-  std::vector<Index> source_;  // per triangle: the one that it is a part of
+  std::vector<Index> source_;  // per triangle: the original of which it is part
   Column<Index> source_column_;
   std::vector<Rules> rules_;
   std::vector<Edge> edges_;
@@ -156,7 +156,7 @@ void Subdivider::split_tets_with_several_faces() {
     std::ranges::sort(v);
     return v;
   };
-  std::vector<std::array<Index, 4>> tets;  // by vertices: indices are not kept around the one that is split
+  std::vector<std::array<Index, 4>> tets;  // by vertices: the split one's neighbours change indices
   DartBuffer star;
   for (Index f = 0; f < mesh_.capacity(2); ++f) {
     if (!mesh_.is_live(2, f)) continue;
@@ -172,7 +172,7 @@ void Subdivider::split_tets_with_several_faces() {
   }
 }
 
-// All copies that the surface has of an edge at once, by the first one.
+// Handles all copies of an edge in the surface at once, at the first one.
 void Subdivider::plan_edges() {
   std::vector<bool> planned(mesh_.capacity(1), false);
   for (Index e = 0; e < planned.size(); ++e) {
@@ -237,7 +237,7 @@ void Subdivider::swap_edges() {
   }
 }
 
-// As far as everything else in the tree allows.
+// As far as the rest of the tree allows.
 void Subdivider::move(const Point& p) {
   const Vec3 here = rules_[p.rules].at(p.a);
   if (p.at == here || move(p, p.at)) return;
@@ -249,7 +249,7 @@ void Subdivider::move(const Point& p) {
   ++result_.refused_moves;
 }
 
-// As a relocation, so that what follows coordinates (those of corners) follows.
+// By a relocation, so that values that follow coordinates (those of corners) are updated.
 bool Subdivider::move(const Point& p, const Vec3& to) {
   const Rules& rules = rules_[p.rules];
   const Outcome o = operations_.relocate(rules.node(), rules.mesh().dart_of(0, p.a),

@@ -17,18 +17,18 @@ struct SubdivideOptions {
 
 struct SubdivideResult {
   std::size_t splits = 0, swaps = 0, moves = 0;
-  /// Edges that stay whole, or stay where they are, because something in the tree stands in the way: the
-  /// triangles beside them are divided otherwise.
+  /// Edges that are not split, or not swapped, because something in the tree prevents it: the triangles
+  /// beside them are divided differently.
   std::size_t refused_splits = 0, refused_swaps = 0;
-  /// Vertices that go a part of their way only, or none of it: tetrahedra, say, would turn over.
+  /// Vertices that move only part of their way, or not at all, for instance to keep tetrahedra positive.
   std::size_t shortened_moves = 0, refused_moves = 0;
-  /// Tetrahedra with several faces on the surface: a vertex was put into each, so that its faces can be
+  /// Tetrahedra with several faces on the surface: a vertex was inserted into each, so that its faces can be
   /// divided.
   std::size_t split_tets = 0;
 };
 
 // clang-format off
-/// Divides every triangle of a surface into four, wherever it is in a tree: each edge is split, and the edges that
+/// Divides every triangle of a surface into four, anywhere in a tree: each edge is split, and the edges that
 /// join an old and a new vertex inside a triangle are swapped.
 ///
 ///          c                 c
@@ -37,9 +37,9 @@ struct SubdivideResult {
 ///       /     \           / \ / \      Tetrahedra around follow, and vertices go no farther than these allow.
 ///      a-------b         a---m---b
 ///
-/// Lines of the tree (boundaries, seams, curves, the sides of a tile) are creases of `loop`; vertices where lines
-/// end, meet or change stay where they are, as do locked ones. Undone as a whole by an exception.
-/// \throw UsageError if the mesh is no surface or has no coordinates in space. Cost: linear
+/// Curves of the tree (boundaries, seams, creases, the sides of a tile) are creases of `loop`; vertices where they
+/// end, meet or change stay where they are, as do locked ones. An exception rolls back the whole subdivision.
+/// \throw UsageError if the mesh is not a surface or has no coordinates in space. Cost: linear
 // clang-format on
 SubdivideResult subdivide(const Embedding& embedding, NodeId surface, const SubdivideOptions& options = {});
 

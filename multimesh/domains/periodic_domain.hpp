@@ -120,10 +120,10 @@ class PeriodicDomain {
   const VertexAttribute<LatticeVector>& offsets() const;
   /// Makes both, and the sources of vertices, follow the operations.
   void attach(Propagation& propagation);
-  /// The tile with its positions, for algorithms on it and on what lies below it: a vertex moves with all its
-  /// copies, and no facet may turn over (triangles: if none has at first, as seen against the mean normal).
-  /// Side edges are curves: vertices of sides stay on the lines that these are, and their ends where they
-  /// are. The root has no positions, and neither have the interfaces. Must not outlive the domain. Cost:
+  /// The tile with its positions, for algorithms on it and on meshes below it. A vertex moves with
+  /// all its copies, and no facet may be inverted (triangles, as seen against the mean normal: unless
+  /// some are at first). Side edges are curves: vertices of sides stay on them, and their ends do not
+  /// move. The root has no positions, nor have the interfaces. Must not outlive the domain. Cost:
   /// linear
   Embedding embedding();
 

@@ -59,7 +59,7 @@ struct Vec : std::array<double, N> {
   constexpr double squared_norm() const { return dot(*this, *this); }
   double norm() const { return std::sqrt(squared_norm()); }
   Vec normalized() const { return *this / norm(); }
-  /// Of length 1, however short or long it was; 0 stays 0.
+  /// The unit vector in this direction, however short or long u is; 0 for 0.
   Vec unit_or_zero() const {
     double largest = 0;
     for (const double x : *this) largest = std::max(largest, std::abs(x));

@@ -98,7 +98,7 @@ class AttachedMesh final : public SurfaceInDomain {
   std::unique_ptr<openmesh::Attached<DoubleMesh>> attached_;
 };
 
-/// Of (p0, p1, p2, p3), exactly, by arithmetic that is not the library's.
+/// The exact orientation of (p0, p1, p2, p3), by arithmetic that is not the library's.
 bool is_positive(const Mesh& mesh, Index tet, const std::function<Vec3(Index)>& at) {
   std::array<Index, 4> v{};
   mesh.vertices(mesh.dart_of(3, tet), v.data());
@@ -207,7 +207,7 @@ TreeFacts facts_of(const MultiMesh& tree) {
 std::string fault_of(SurfaceInDomain& domain, const TreeFacts& before) {
   if (const auto problems = validate(domain.tree()); !problems.empty()) return problems.front();
   if (!(facts_of(domain.tree()) == before)) return "the topology of a mesh has changed";
-  // What an algorithm will see next is what the domain stores.
+  // The domain must store what an algorithm sees next.
   const Embedding embedding = domain.embedding();
   const EmbeddedMesh surface(embedding, domain.surface());
   std::string fault = domain.fault();

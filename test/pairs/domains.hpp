@@ -10,17 +10,17 @@
 
 namespace multimesh::test {
 
-/// A domain with a surface in it that an algorithm is asked for.
+/// A domain with a surface on which an algorithm is run.
 class SurfaceInDomain {
  public:
   virtual ~SurfaceInDomain() = default;
   virtual const MultiMesh& tree() const = 0;
   virtual NodeId surface() const = 0;
   virtual Embedding embedding() = 0;
-  /// Where a vertex of the surface is, by what the domain stores.
+  /// The position of a vertex of the surface in the domain's own data.
   virtual Vec3 place(Dart vertex) const = 0;
-  /// What else must hold after an algorithm, or an empty string: what follows the positions is where it
-  /// belongs, and nothing has turned over.
+  /// Further conditions after an algorithm, or an empty string: what follows the positions is in its place,
+  /// and nothing is inverted.
   virtual std::string fault() const = 0;
   /// Of the surface's triangles. Those here keep it but for curved parts.
   virtual double area() const;
@@ -30,9 +30,9 @@ class SurfaceInDomain {
 struct DomainCase {
   const char* name;
   std::unique_ptr<SurfaceInDomain> (*make)();
-  /// Tetrahedra around the surface follow, but nobody improves them: they stand in its way.
+  /// Tetrahedra around the surface follow, but are not improved: they limit the algorithm.
   bool in_tets = false;
-  /// Lines of the surface have corners that no mesh keeps: they are rounded off.
+  /// Curves of the surface have corners that no mesh keeps: they are rounded off.
   bool loose_corners = false;
 };
 inline void PrintTo(const DomainCase& c, std::ostream* out) {
@@ -42,7 +42,7 @@ inline void PrintTo(const DomainCase& c, std::ostream* out) {
 /// tetrahedra, a tile, and the surface of the material in a tile of tetrahedra.
 std::vector<DomainCase> domain_cases();
 
-/// What every algorithm must keep: the Betti numbers of all meshes, and which faces are boundary.
+/// What every algorithm must preserve: the Betti numbers of all meshes, and which faces are boundary.
 struct TreeFacts {
   std::vector<std::vector<long>> betti;
   std::vector<std::size_t> boundaries;  ///< of those of dimension 1 and 2: ends or loops
@@ -50,7 +50,7 @@ struct TreeFacts {
 };
 TreeFacts facts_of(const MultiMesh& tree);
 
-/// All that is wrong with a domain after an algorithm, or an empty string.
+/// All errors of a domain after an algorithm, or an empty string.
 std::string fault_of(SurfaceInDomain& domain, const TreeFacts& before);
 
 std::size_t live_facets(const Mesh& mesh);

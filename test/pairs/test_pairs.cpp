@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each algorithm for surfaces in each domain: the same call, and whatever else is in the tree goes along.
+// Each algorithm for surfaces in each domain: the same call, and everything else in the tree follows.
 #include <gtest/gtest.h>
 
 #include "multimesh/algorithms/remesh.hpp"

@@ -13,7 +13,7 @@
 namespace multimesh::test {
 namespace {
 
-/// Vertices moved off their places, on the sides and in between, all copies alike.
+/// Moves vertices off their places, on the sides and in between, all copies alike.
 PeriodicTile shaken(PeriodicTile tile, double by) {
   for (auto& p : tile.points)
     for (std::size_t i = 0; i < 2; ++i) {

@@ -19,9 +19,9 @@ std::string refusal(const PeriodicTile& tile, const PeriodicOptions& options);
 /// Edges of the root that may be collapsed.
 std::size_t legal_edges(PeriodicDomain& domain);
 
-/// Whether all copies of each vertex are exactly lattice vectors apart, as seen from one of them.
+/// Whether all copies of each vertex are exactly lattice vectors apart, relative to one of them.
 bool copies_fit(const PeriodicDomain& domain);
-/// Facets of the tile without a positive volume, or area as seen against the mean normal.
+/// Facets of the tile without positive volume, or without positive area as seen against the mean normal.
 std::size_t inverted(const PeriodicDomain& domain);
 /// Volume, or area as seen so.
 double size(const PeriodicDomain& domain);

@@ -11,7 +11,7 @@ namespace multimesh {
 
 namespace {
 
-/// Moves of a coordinate that are no more than this, relative to the size of the tile, are rounding.
+/// Changes of a coordinate up to this, relative to the size of the tile, are rounding.
 constexpr double rounding = 1e-15;
 
 }  // namespace
@@ -37,7 +37,7 @@ void TileCoordinates::set(Index v, const Vec3& x) {
   for (const Dart d : copies_) positions.set(mesh.vertex(d), place_of_copy(mesh.vertex(d), first, place));
 }
 
-// Where a vertex is merged into one with more copies than the edge has, it stays where it was.
+// A vertex that is merged into one with more copies than the edge has stays where it was.
 void CopiesKeepTheirOffsets::finish(const Event& event) {
   if (event.operation == Operation::flip || event.copies.count(node()) < 2) return;
   const Mesh& mesh = event.tree.mesh(node());

@@ -101,7 +101,7 @@ struct FreeFace {
   spatial::Triangle corners{};
   Vec3 middle, outward;  // unit, or 0
   double altitude = 0;   // the least one
-  double near = 0;       // closer than that it lies on another one, if they face each other
+  double near = 0;       // a face closer than this lies on another one, if they face each other
 
   FreeFace(const LabelledTile& tile, const Face& face, double tolerance) {
     const auto v = tile.facets.facet(face.facet);

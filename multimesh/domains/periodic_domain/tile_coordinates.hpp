@@ -6,15 +6,15 @@
 
 namespace multimesh {
 
-/// The positions of a tile as an algorithm needs them: a vertex moves with all its copies, each of which lies
-/// at the place of the one with the least offset, shifted.
+/// The positions of a tile for an algorithm: a vertex moves with all its copies. Each copy lies at the place
+/// of the one with the least offset, shifted.
 class TileCoordinates final : public Coordinates {
  public:
   /// The domain must outlive it.
   explicit TileCoordinates(PeriodicDomain& domain) : domain_(domain) {}
   NodeId node() const override { return domain_.tile(); }
   Vec3 at(Index v) const override { return domain_.positions()[v]; }
-  /// A coordinate that changes by rounding alone stays as it is: flat sides stay flat.
+  /// A coordinate that changes only by rounding is left unchanged: flat sides stay flat.
   void set(Index v, const Vec3& x) override;
   Vec3 place_of_copy(Index copy, Index v, const Vec3& x) const override;
 
@@ -23,8 +23,8 @@ class TileCoordinates final : public Coordinates {
   DartBuffer copies_;
 };
 
-/// What is interpolated on each copy by itself is made the same again: copies of a vertex differ by rounding.
-/// \pre among the attributes of the operations after the domain's own
+/// Makes copies of a vertex equal again: interpolated separately, they differ by rounding. \pre among the
+/// attributes of the operations after the domain's own
 class CopiesKeepTheirOffsets final : public Attribute {
  public:
   explicit CopiesKeepTheirOffsets(PeriodicDomain& domain) : Attribute(domain.tile()), domain_(domain) {}
