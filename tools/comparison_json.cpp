@@ -2,6 +2,7 @@
 #include "tools/comparison_json.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace multimesh::tools {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/comparison_page.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "tools/comparison_json.hpp"
 
 namespace multimesh::tools {

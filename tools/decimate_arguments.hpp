@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/io/weld_surface.hpp"
 #include "tools/run_report.hpp"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace multimesh::tools {
 

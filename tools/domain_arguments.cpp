@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/domain_arguments.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "tools/number_check.hpp"
 
 namespace multimesh::tools {

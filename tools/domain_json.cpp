@@ -2,6 +2,7 @@
 #include "tools/domain_json.hpp"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 namespace multimesh::tools {

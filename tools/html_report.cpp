@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "adapters/io/atomic_file.hpp"
 #include "multimesh/error.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/html_text.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace multimesh::tools {
 
 namespace {

@@ -2,6 +2,7 @@
 #include "tools/mesh_page.hpp"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 namespace multimesh::tools {
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "tools/surface_json.hpp"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace multimesh::tools {
 

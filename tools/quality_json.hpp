@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include "multimesh/algorithms/improve.hpp"
 #include "tools/surface_json.hpp"
 

@@ -3,8 +3,10 @@
 
 #ifdef MULTIMESH_WITH_IMPROVE
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 

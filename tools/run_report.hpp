@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "tools/surface_json.hpp"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace multimesh::tools {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/surface_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace multimesh::tools {
 
 Json to_json(const MeshReport& r) {

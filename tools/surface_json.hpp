@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "multimesh/algorithms/surface_report.hpp"
 #include "multimesh/algorithms/surface_topology.hpp"

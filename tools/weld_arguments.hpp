@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "multimesh/io/weld_surface.hpp"
 #include "tools/surface_json.hpp"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace multimesh::tools {
 
