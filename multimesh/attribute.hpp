@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -135,16 +136,20 @@ T interpolated(const T& a, const T& b, double t) {
 /// attribute may have another rule, for instance one that takes the value from the parent's mesh:
 ///   [&](Operation, const VertexChange& c) { return parent_values[c.above]; }
 /// A rule must only read: invariants call it, through result(), to predict the vertex's value.
+/// While an algorithm runs, it may prescribe the values of merged vertices, which then take precedence.
 template <class T>
 class VertexAttribute final : public ValueAttribute<T> {
  public:
   using Rule = std::function<T(Operation, const VertexChange&)>;
+  /// Of the merged vertex of a collapse; nothing: as the rule says.
+  using Prescription = std::function<std::optional<T>(const VertexChange&)>;
 
   VertexAttribute(NodeId node, std::vector<T>& values, Rule rule = {})
       : ValueAttribute<T>(node, 0, values), rule_(std::move(rule)) {}
 
   /// The value that the new or merged vertex of a split or collapse gets. May be called before the operation.
   T result(Operation operation, const VertexChange& c) const {
+    if (const auto prescribed = prescribed_value(operation, c)) return *prescribed;
     return rule_ ? rule_(operation, c) : interpolated(c);
   }
   /// The default rule.
@@ -152,7 +157,11 @@ class VertexAttribute final : public ValueAttribute<T> {
     return multimesh::interpolated<T>((*this)[c.a], (*this)[c.b], c.t);
   }
 
+  /// Empty: none any more.
+  void prescribe(Prescription values) { prescription_ = std::move(values); }
+
   void update(Operation operation, const VertexChange& c) override {
+    if (const auto prescribed = prescribed_value(operation, c)) return this->set(c.vertex, *prescribed);
     if (rule_) return this->set(c.vertex, rule_(operation, c));
     if (operation == Operation::relocate || operation == Operation::flip) return;
     if ((c.t <= 0 ? c.a : c.t >= 1 ? c.b : no_index) == c.vertex) return;
@@ -160,7 +169,12 @@ class VertexAttribute final : public ValueAttribute<T> {
   }
 
  private:
+  std::optional<T> prescribed_value(Operation operation, const VertexChange& c) const {
+    return operation == Operation::collapse && prescription_ ? prescription_(c) : std::nullopt;
+  }
+
   Rule rule_;
+  Prescription prescription_;
 };
 
 }  // namespace multimesh

@@ -17,8 +17,14 @@ std::vector<Attribute*> EmbeddedMesh::inherited() const {
   return all;
 }
 
+bool EmbeddedMesh::is_only_seam(NodeId curves, Index edge) const {
+  for (const auto& [node, is_only_seam] : embedding_.seams_)
+    if (node == curves) return is_only_seam(edge);
+  return false;
+}
+
 EmbeddedMesh::EmbeddedMesh(const Embedding& embedding, NodeId n)
-    : node_(n), operations_(embedding.operations_), mesh_(tree().mesh(n)) {
+    : embedding_(embedding), node_(n), operations_(embedding.operations_), mesh_(tree().mesh(n)) {
   std::vector<NodeId> way;  // from n up to what has coordinates
   for (NodeId above = n; !(positions_ = embedding.find(above, Embedding::Kind::space));
        above = tree().parent(above)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -49,6 +50,11 @@ class Embedding {
     coordinates_.push_back({std::move(coordinates), kind});
     return *coordinates_.back().coordinates;
   }
+  /// Of a mesh of curves: which of its edges are there only because charts are cut open along them. Where
+  /// such lines run in space matters less than where others do. Without it none are.
+  void mark_seams(NodeId curves, std::function<bool(Index edge)> is_only_seam) {
+    seams_.emplace_back(curves, std::move(is_only_seam));
+  }
 
  private:
   friend class EmbeddedMesh;
@@ -61,6 +67,7 @@ class Embedding {
   Propagation operations_;
   std::vector<std::shared_ptr<void>> owned_;
   std::vector<Known> coordinates_;
+  std::vector<std::pair<NodeId, std::function<bool(Index)>>> seams_;
 };
 
 /// One mesh of an embedding during a run of an algorithm: operations that carry everything the embedding has,
@@ -81,8 +88,11 @@ class EmbeddedMesh {
   std::vector<Attribute*> inherited() const;
   /// The charts of the meshes of this dimension below it.
   std::span<Coordinates* const> charts() const noexcept { return charts_; }
+  /// Whether an edge of a mesh of curves is there only because charts are cut open along it.
+  bool is_only_seam(NodeId curves, Index edge) const;
 
  private:
+  const Embedding& embedding_;
   NodeId node_;
   Propagation operations_;
   const Mesh& mesh_;

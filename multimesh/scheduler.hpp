@@ -28,7 +28,7 @@ struct Attempt {
   }
 };
 
-/// An algorithm that applies one operation to the edges of the root, cheapest first.
+/// An algorithm that applies one operation to the edges of a mesh, cheapest first.
 ///
 /// A policy has
 ///   std::optional<double> cost(Dart edge);     // nothing: leave this edge alone
@@ -41,7 +41,8 @@ class PriorityScheduler {
     exhausted,  ///< no edge is left whose operation is allowed
   };
 
-  explicit PriorityScheduler(const Propagation& operations) : tree_(operations.tree()) {}
+  explicit PriorityScheduler(const Propagation& operations, NodeId node = NodeId::root)
+      : tree_(operations.tree()), node_(node), mesh_(tree_.mesh(node)) {}
 
   /// Runs until the policy is finished or a whole pass over the refused edges has changed nothing. After each
   /// operation, all edges of the facets that changed (Outcome::changed) get a new cost; after a collapse in a
@@ -65,11 +66,10 @@ class PriorityScheduler {
  private:
   template <class Policy>
   Stop run_passes(Policy& policy) {
-    const Mesh& root = tree_.mesh(NodeId::root);
-    queue_.reserve(root.capacity(1));
-    for (Index e = 0; e < root.capacity(1); ++e)
-      if (root.is_live(1, e))
-        if (const auto cost = policy.cost(root.dart_of(1, e))) queue_.push(e, *cost);
+    queue_.reserve(mesh_.capacity(1));
+    for (Index e = 0; e < mesh_.capacity(1); ++e)
+      if (mesh_.is_live(1, e))
+        if (const auto cost = policy.cost(mesh_.dart_of(1, e))) queue_.push(e, *cost);
     for (;;) {
       const std::size_t done = operations_;
       if (pass(policy) == Stop::finished) return Stop::finished;
@@ -80,13 +80,12 @@ class PriorityScheduler {
 
   template <class Policy>
   Stop pass(Policy& policy) {
-    const Mesh& root = tree_.mesh(NodeId::root);
     refused_.clear();
     EdgeQueue::Entry next;
     while (queue_.pop(next)) {
-      if (!root.is_live(1, next.edge)) continue;
+      if (!mesh_.is_live(1, next.edge)) continue;
       if (policy.finished(next.cost)) return Stop::finished;
-      const Attempt attempt = policy.apply(root.dart_of(1, next.edge), next.cost);
+      const Attempt attempt = policy.apply(mesh_.dart_of(1, next.edge), next.cost);
       if (attempt.postponed) {
         queue_.push(next.edge, attempt.cost);
         continue;
@@ -103,7 +102,7 @@ class PriorityScheduler {
 
   template <class Policy>
   void update(Dart e, Policy& policy) {
-    const Index edge = tree_.mesh(NodeId::root).simplex(e, 1);
+    const Index edge = mesh_.simplex(e, 1);
     if (const auto cost = policy.cost(e)) {
       queue_.push(edge, *cost);
     } else {
@@ -111,34 +110,40 @@ class PriorityScheduler {
     }
   }
 
-  // After a collapse in a surface: the edges at its vertex; otherwise all edges of the facets that changed.
-  // In dimension 3 edges also have other indices then.
+  // What changed is given by a simplex of the root; the mesh may have several over it.
   template <class Policy>
   void update_around(const Outcome& outcome, Policy& policy) {
-    const Mesh& root = tree_.mesh(NodeId::root);
-    const int d = root.dimension();
     // A policy may have constructed an outcome itself.
     const Dart changed = outcome.changed != no_dart ? outcome.changed : outcome.root;
     if (changed == no_dart) return;
-    root.star(changed, outcome.changed_dimension, star_);
+    if (node_ == NodeId::root) return update_around(changed, outcome, policy);
+    copies_.collect(tree_, changed, outcome.changed_dimension);
+    for (const Copy& c : copies_.of(node_)) update_around(c.dart, outcome, policy);
+  }
+
+  // After a collapse in a surface: the edges at its vertex; otherwise all edges of the facets that changed.
+  // In dimension 3 edges also have other indices then.
+  template <class Policy>
+  void update_around(Dart changed, const Outcome& outcome, Policy& policy) {
+    const int d = mesh_.dimension();
+    mesh_.star(changed, outcome.changed_dimension, star_);
     if (outcome.operation != Operation::collapse || d > 2) return update_all(policy);
-    const bool boundary = d == 2 && root.is_boundary(changed, 0);
+    const bool boundary = d == 2 && mesh_.is_boundary(changed, 0);
     for (const Dart t : star_) {
       update(t, policy);
       if (!boundary) continue;  // each edge is the first one of some facet
-      const Dart other = root.reorder(t, edge_ax);
-      if (root.is_boundary(other, 1)) update(other, policy);
+      const Dart other = mesh_.reorder(t, edge_ax);
+      if (mesh_.is_boundary(other, 1)) update(other, policy);
     }
   }
 
   template <class Policy>
   void update_all(Policy& policy) {
-    const Mesh& root = tree_.mesh(NodeId::root);
     edges_.clear();
     for (const Dart t : star_)
-      for (const Permutation p : faces_around(root.dimension(), 1, -1)) {
-        const Dart e = root.reorder(t, p);
-        edges_.emplace_back(root.simplex(e, 1), e);
+      for (const Permutation p : faces_around(mesh_.dimension(), 1, -1)) {
+        const Dart e = mesh_.reorder(t, p);
+        edges_.emplace_back(mesh_.simplex(e, 1), e);
       }
     std::sort(edges_.begin(), edges_.end());
     for (std::size_t i = 0; i < edges_.size(); ++i)
@@ -147,13 +152,15 @@ class PriorityScheduler {
 
   template <class Policy>
   void ask_again(Policy& policy) {
-    const Mesh& root = tree_.mesh(NodeId::root);
     for (const Index e : refused_)
-      if (root.is_live(1, e))
-        if (const auto cost = policy.cost(root.dart_of(1, e))) queue_.push(e, *cost);
+      if (mesh_.is_live(1, e))
+        if (const auto cost = policy.cost(mesh_.dart_of(1, e))) queue_.push(e, *cost);
   }
 
   const MultiMesh& tree_;
+  NodeId node_;
+  const Mesh& mesh_;
+  Copies copies_;
   EdgeQueue queue_;
   std::vector<Index> refused_;
   DartBuffer star_;

@@ -7,6 +7,7 @@
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/io/weld_surface.hpp"
 #include "tools/run_report.hpp"
+#include "tools/tetrahedra_arguments.hpp"
 
 namespace CLI {
 class App;
@@ -15,7 +16,7 @@ class App;
 namespace multimesh::tools {
 
 /// What the command line of `multimesh decimate` says. Angles in degrees; 0 where an option is not given.
-struct DecimateArguments {
+struct DecimateArguments : TetrahedraArguments {
   std::string input, output;
   ReportOptions report;
   double ratio = 0, max_error = 0, max_texture_error = 0;
@@ -27,6 +28,7 @@ struct DecimateArguments {
   std::string cost = "quadric";
   bool measure = false, quiet = false, follow_paths = false;
   io::SurfaceWeldOptions weld;
+  bool improve = false;  ///< of tetrahedra
 };
 
 /// Adds the options to the command; they are written into `a` when it is parsed.

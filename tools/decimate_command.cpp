@@ -16,6 +16,7 @@
 #include "tools/comparison_json.hpp"
 #include "tools/comparison_page.hpp"
 #include "tools/decimate_report.hpp"
+#include "tools/decimate_tetrahedra.hpp"
 #include "tools/html_report.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
@@ -182,9 +183,14 @@ void Run::finish() {
 }  // namespace
 
 void add_decimate_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("decimate", "Reduce the number of faces; texture seams stay intact.");
+  auto* command = app.add_subcommand(
+      "decimate",
+      "Reduce the number of faces; texture seams stay intact, and tetrahedra follow their surface.");
   auto a = std::make_shared<DecimateArguments>();
   add_options(*command, *a);
+#ifdef MULTIMESH_WITH_IMPROVE
+  add_tetrahedra_options(*command, *a);
+#endif
   command->footer(
       "Example:  multimesh decimate cow.obj -o small.obj --ratio 0.1 --report report.json\n"
       "          multimesh decimate cow.obj -o small.obj --levels 0.5,0.25,0.1 --report-html cow.html\n\n"
@@ -192,15 +198,22 @@ void add_decimate_command(CLI::App& app, int& exit_code) {
       "groups of each face. No triangle of the texture flips or loses its area. Polygons become\n"
       "triangles; normals are recomputed if the input has any. If topology does not allow the target,\n"
       "the file is written with as few faces as it allows; a warning says what prevents fewer, and\n"
-      "the report counts the reasons.");
+      "the report counts the reasons.\n\n"
+      "Of tetrahedra the surface is decimated: boundary, interfaces and listed triangles. All\n"
+      "tetrahedra stay of positive volume; regions, patches and curves are kept.");
   command->callback([a, command, &exit_code] {
+    exit_code = done;
+#ifdef MULTIMESH_WITH_IMPROVE
+    a->weld_given = command->count("--weld") > 0;
+    a->target_given = command->count("--target-amips") > 0;
+    if (decimate_if_tetrahedra(*command, *a)) return;
+#endif
     check_paths(*a);
     RunReport report(*command, a->report, {a->input}, outputs(*a));
     Run run(*a, report);
     run.decimate();
     run.check_texture();
     run.finish();
-    exit_code = done;
   });
 }
 

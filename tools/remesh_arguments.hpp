@@ -6,12 +6,12 @@
 
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/io/weld_surface.hpp"
-#include "tools/domain_arguments.hpp"
 #include "tools/run_report.hpp"
+#include "tools/tetrahedra_arguments.hpp"
 
 namespace multimesh::tools {
 
-struct RemeshArguments {
+struct RemeshArguments : TetrahedraArguments {
   std::string input, output;
   ReportOptions report;
   double length = 0, relative_length = 0;  ///< 0: not given
@@ -19,14 +19,6 @@ struct RemeshArguments {
   bool preserve_materials = true, quiet = false, follow_paths = false;
   SurfaceRemeshOptions options;
   io::SurfaceWeldOptions weld;
-
-  // Of tetrahedra.
-  bool weld_given = false, uv_weld_given = false, target_given = false;
-  double target_amips = 10;
-  std::vector<std::string> locked_patches;
-  std::vector<TetDomain::Tag> locked_regions;
-  bool no_periodic = false;
-  SimplexFormat format;
 };
 
 Json to_json(const RemeshArguments& a, const RemeshResult& r);

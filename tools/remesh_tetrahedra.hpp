@@ -9,8 +9,6 @@ class App;
 
 namespace multimesh::tools {
 
-void add_tetrahedra_options(CLI::App& command, RemeshArguments& a);
-
 /// Remeshes the surface of the tetrahedra in the input, and writes them. \return false if it has none: then
 /// nothing was done. \throw InputError also for options that do not apply to this kind of input
 bool remesh_if_tetrahedra(RemeshArguments& a, RunReport& report);

@@ -8,13 +8,11 @@
 #include <numbers>
 
 #include "multimesh/algorithms/decimation/collapse_cost.hpp"
+#include "multimesh/algorithms/decimation/planned_places.hpp"
 #include "multimesh/algorithms/decimation/shape_tests.hpp"
 #include "multimesh/algorithms/decimation/surface_distance.hpp"
 #include "multimesh/algorithms/decimation/texture_distance.hpp"
 #include "multimesh/algorithms/decimation/texture_orientation.hpp"
-#include "multimesh/algorithms/vertex_locks.hpp"
-#include "multimesh/domains/surface_invariants.hpp"
-#include "multimesh/geometry/bounding_box.hpp"
 #include "multimesh/scheduler.hpp"
 
 namespace multimesh {
@@ -24,6 +22,8 @@ namespace {
 
 /// Costs that differ by less than this factor count as equal: an edge is not postponed for it.
 constexpr double same_cost = 1.05;
+/// A round ends when so much of its faces is left, if others work between rounds.
+constexpr double round_share = 0.8;
 
 using Counts = std::map<std::string, std::size_t>;
 
@@ -40,7 +40,7 @@ std::string name_of(const Refusal& r) {
 
 class Decimator {
  public:
-  Decimator(TexturedSurface& surface, const DecimateOptions& options);
+  Decimator(EmbeddedMesh& surface, const DecimateOptions& options);
   DecimateResult run();
 
   // The scheduler's policy.
@@ -50,114 +50,78 @@ class Decimator {
   }
   Attempt apply(Dart e, double cost);
   bool finished(double next_cost);
+  bool is_done() const { return options_.faces > 0 && faces_ <= options_.faces; }
 
  private:
-  void add_attributes();
-  void add_invariants();
   void add_tests();
-  Vec2 merged_texcoord(std::size_t set, const VertexChange& c) const;
   const PlacementTest* failed_test(const CollapsePlan& plan);
   const PlacementTest* choose_place(Dart e);
   Outcome collapse(Dart e);
+  bool moves_locked(const CollapsePlan& plan) const;
   void collapsed(const Outcome& outcome);
   Attempt refuse(const std::string& reason);
   std::string what_keeps(Dart e);
   void explain();
+  double run_rounds();
 
-  TexturedSurface& surface_;
+  EmbeddedMesh& surface_;
   const DecimateOptions& options_;
-  const Mesh& root_;
-  double diagonal_;
-  std::size_t faces_;
+  const Mesh& mesh_;
+  Propagation& operations_;
+  std::size_t faces_ = 0, round_ends_at_ = 0;
   std::size_t next_level_ = 0;
   DecimateResult result_;
   Counts refused_;
 
-  VertexLocks locks_;
   Strata strata_;
   TriangleReader reader_;
+  double diagonal_;
   CollapseCost cost_;
   PredictedStar star_;
   CollapsePlan plan_;  ///< for the edge at hand
+  PlannedPlaces places_;
   bool place_is_held_ = false;
+  FunctionInvariant held_;
 
-  VertexAttribute<Vec3> positions_;
-  std::optional<VertexAttribute<Vec3>> colors_;
-  std::vector<std::unique_ptr<VertexAttribute<Vec2>>> texcoords_;
   std::vector<std::unique_ptr<PlacementTest>> tests_;
   std::size_t n_bounds_ = 0;  ///< the first of the tests: those that bound the result
-  std::vector<std::unique_ptr<Invariant>> invariants_;
-  Propagation operations_;
 };
 
-Decimator::Decimator(TexturedSurface& surface, const DecimateOptions& options)
+Decimator::Decimator(EmbeddedMesh& surface, const DecimateOptions& options)
     : surface_(surface),
       options_(options),
-      root_(surface.tree().mesh(NodeId::root)),
-      diagonal_(bounding_box_diagonal(surface.positions())),
-      faces_(surface.live_triangles()),
-      locks_(surface, options.lock_boundary, options.lock_seams ? seam_kinds(surface) : CurveKinds{no_curve}),
+      mesh_(surface.mesh()),
+      operations_(surface.operations()),
       strata_(surface, options),
       reader_(surface, strata_),
-      cost_(surface, options, strata_, reader_),
-      star_(surface.tree(), reader_),
-      positions_(NodeId::root, surface.positions(),
-                 [this](Operation, const VertexChange&) { return plan_.position; }),
-      operations_(surface.tree()) {
-  add_attributes();
+      diagonal_(reader_.diagonal()),
+      cost_(options, strata_, reader_),
+      star_(reader_),
+      places_(surface, plan_),
+      held_("place of a held end", [this](const Event&) { return place_is_held_; }) {
+  for (Index f = 0; f < mesh_.capacity(2); ++f) faces_ += mesh_.is_live(2, f);
   add_tests();
-  add_invariants();
-  operations_.set(LegalityOptions{.contact = true});  // seams may not touch the boundary
-}
-
-void Decimator::add_attributes() {
-  operations_.add(positions_);
-  for (std::size_t k = 0; k < reader_.n_sets(); ++k) {
-    texcoords_.push_back(std::make_unique<VertexAttribute<Vec2>>(
-        surface_.textures()[k], surface_.texcoords(k),
-        [this, k](Operation, const VertexChange& c) { return merged_texcoord(k, c); }));
-    operations_.add(*texcoords_.back());
-  }
-  if (surface_.colors().empty()) return;
-  colors_.emplace(NodeId::root, surface_.colors());  // as on the edge, at t
-  operations_.add(*colors_);
-}
-
-Vec2 Decimator::merged_texcoord(std::size_t set, const VertexChange& c) const {
-  for (const CollapsePlan::Copy& copy : plan_.copies())
-    if (copy.set == set && std::minmax(copy.a, copy.b) == std::minmax(c.a, c.b)) return copy.texcoord;
-  return texcoords_[set]->interpolated(c);
+  operations_.add(held_);
 }
 
 void Decimator::add_tests() {
   const auto is_set = [](double limit) { return std::isfinite(limit); };
   if (is_set(options_.max_error))
-    tests_.push_back(std::make_unique<SurfaceDistance>(surface_, options_.max_error * diagonal_));
+    tests_.push_back(std::make_unique<SurfaceDistance>(reader_, options_.max_error * diagonal_));
   for (std::size_t k = 0; k < reader_.n_sets(); ++k)
     if (is_set(options_.max_texture_error))
-      tests_.push_back(
-          std::make_unique<TextureDistance>(surface_, reader_, k, options_.max_texture_error * diagonal_));
+      tests_.push_back(std::make_unique<TextureDistance>(reader_, k, options_.max_texture_error * diagonal_));
   if (is_set(options_.max_normal_deviation))
-    tests_.push_back(std::make_unique<NormalDeviation>(surface_, options_.max_normal_deviation));
+    tests_.push_back(std::make_unique<NormalDeviation>(reader_, options_.max_normal_deviation));
   if (is_set(options_.max_aspect_ratio))
     tests_.push_back(std::make_unique<AspectRatio>(options_.max_aspect_ratio));
   n_bounds_ = tests_.size();
   for (std::size_t k = 0; k < reader_.n_sets(); ++k) {
-    auto test = std::make_unique<TextureOrientation>(surface_, reader_, k);
+    auto test = std::make_unique<TextureOrientation>(reader_, k);
     if (k == 0) result_.charts = test->charts();
     tests_.push_back(std::move(test));
   }
   tests_.push_back(std::make_unique<NormalTurn>(options_.max_normal_turn));
-}
-
-void Decimator::add_invariants() {
-  if (surface_.cut_report().copied_vertices > 0)
-    invariants_.push_back(
-        std::make_unique<CopiesStayApart>(surface_.tree().mesh(NodeId::root), surface_.source_positions()));
-  for (const auto& texcoords : texcoords_) invariants_.push_back(std::make_unique<SeamsStayOpen>(*texcoords));
-  invariants_.push_back(std::make_unique<FunctionInvariant>("place of a held end",
-                                                            [this](const Event&) { return place_is_held_; }));
-  for (const auto& i : invariants_) operations_.add(*i);
 }
 
 /// The first test that the plan fails, or null. Afterwards the star is as this plan predicts.
@@ -175,49 +139,55 @@ const PlacementTest* Decimator::choose_place(Dart e) {
   std::array<CollapsePlan, 3> others{cost_.plan_at(e, 0.5), cost_.plan_at(e, 0), cost_.plan_at(e, 1)};
   std::stable_sort(others.begin(), others.end(),
                    [](const auto& x, const auto& y) { return x.cost < y.cost; });
-  for (const CollapsePlan& other : others)
+  for (CollapsePlan& other : others) {
+    places_.round(other);
     if (!failed_test(other)) {
       plan_ = other;
       return nullptr;
     }
+  }
   return failed;
 }
 
 Attempt Decimator::refuse(const std::string& reason) {
   ++result_.tried;
   ++refused_[reason];
-  return Outcome{{Check::invariant, NodeId::root, {}}, no_dart, no_dart};
+  return Outcome{{Check::invariant, surface_.node(), {}}, no_dart, no_dart};
 }
 
 Attempt Decimator::apply(Dart e, double cost) {
-  if (!cost_.plan(e, plan_)) return refuse(name_of({Check::gluing, NodeId::root, {}}));
+  if (!cost_.plan(e, plan_)) return refuse(name_of({Check::gluing, surface_.node(), {}}));
   if (plan_.cost > cost * same_cost) return Attempt::postpone(plan_.cost);
+  places_.round(plan_);
   star_.read(e);
   if (const PlacementTest* failed = choose_place(e)) return refuse(failed->name());
   if (plan_.cost > cost * same_cost) return Attempt::postpone(plan_.cost);
-  std::optional<MergingEdges> merging;
-  if (surface_.has_normals()) merging.emplace(root_, e);
   const Outcome outcome = collapse(e);
   if (!outcome) return refuse(name_of(outcome.refusal));
-  if (merging) merging->keep_hardness(surface_);
   collapsed(outcome);
   return outcome;
 }
 
 /// By the plan, unless legality holds an end that the ranks did not tell.
 Outcome Decimator::collapse(Dart e) {
-  return operations_.collapse(NodeId::root, e, [&](const Event&, std::optional<double> held) {
+  return operations_.collapse(surface_.node(), e, [&](const Event&, std::optional<double> held) {
     place_is_held_ = true;
     if (held && *held != plan_.t) {
       plan_ = cost_.plan_at(e, *held);
-      place_is_held_ = !failed_test(plan_);
+      places_.round(plan_);
+      place_is_held_ = !moves_locked(plan_) && !failed_test(plan_);
     }
     return plan_.t;
   });
 }
 
+bool Decimator::moves_locked(const CollapsePlan& plan) const {
+  return (plan.moves(End::a) && strata_.rank(plan.a) == Rank::locked) ||
+         (plan.moves(End::b) && strata_.rank(plan.b) == Rank::locked);
+}
+
 void Decimator::collapsed(const Outcome& outcome) {
-  const End kept = root_.vertex(outcome.root) == plan_.a ? End::a : End::b;
+  const End kept = mesh_.vertex(outcome.dart) == plan_.a ? End::a : End::b;
   double area = 0;
   for (const PredictedStar::Face& f : star_.faces()) {
     faces_ -= f.dies;
@@ -238,13 +208,16 @@ void Decimator::collapsed(const Outcome& outcome) {
 bool Decimator::finished(double) {
   for (; next_level_ < options_.levels.size() && faces_ <= options_.levels[next_level_]; ++next_level_)
     if (options_.on_level) options_.on_level(next_level_);
-  return options_.faces > 0 && faces_ <= options_.faces;
+  return is_done() || faces_ <= round_ends_at_;
 }
 
 std::string Decimator::what_keeps(Dart e) {
-  const Refusal illegal = operations_.judge(NodeId::root, e).refusal;
+  const Refusal illegal = operations_.judge(surface_.node(), e).refusal;
   if (illegal.refused()) return name_of(illegal);
   if (!cost_.plan(e, plan_)) plan_ = cost_.plan_at(e, 0);
+  if (strata_.rank(plan_.a) == Rank::locked && strata_.rank(plan_.b) == Rank::locked)
+    return name_of({Check::placement, surface_.node(), {}});
+  places_.round(plan_);
   star_.read(e);
   if (const PlacementTest* failed = choose_place(e)) return failed->name();
   Transaction trial = operations_.transaction();  // never committed
@@ -253,24 +226,41 @@ std::string Decimator::what_keeps(Dart e) {
 
 void Decimator::explain() {
   Counts counts;
-  for (Index e = 0; e < root_.capacity(1); ++e)
-    if (root_.is_live(1, e)) ++counts[what_keeps(root_.dart_of(1, e))];
+  for (Index e = 0; e < mesh_.capacity(1); ++e)
+    if (mesh_.is_live(1, e)) ++counts[what_keeps(mesh_.dart_of(1, e))];
   result_.blocking = by_frequency(counts);
   for (std::size_t i = 0; i < n_bounds_; ++i)
     if (counts.contains(tests_[i]->name())) result_.stop = DecimateResult::Stop::bound;
 }
 
+/// Until the target is reached or a round with its improvement by others has not helped. Returns how long the
+/// loops took.
+double Decimator::run_rounds() {
+  PriorityScheduler scheduler(operations_, surface_.node());
+  const std::vector<Attribute*> carried = surface_.inherited();
+  double seconds = 0;
+  for (bool first = true;; first = false) {
+    const std::size_t before = faces_;
+    round_ends_at_ =
+        options_.between_rounds ? static_cast<std::size_t>(round_share * static_cast<double>(faces_)) : 0;
+    scheduler.run(*this);
+    seconds += scheduler.seconds();
+    if (!options_.between_rounds || is_done() || (faces_ == before && !first)) return seconds;
+    options_.between_rounds(carried);
+  }
+}
+
 DecimateResult Decimator::run() {
   result_.faces_before = faces_;
-  PriorityScheduler scheduler(operations_);
-  scheduler.run(*this);
-  if (finished(0)) {
+  const double seconds = run_rounds();
+  (void)finished(0);  // levels that the last collapse has reached
+  if (is_done()) {
     result_.stop = DecimateResult::Stop::faces;
   } else {
     explain();
   }
   result_.faces_after = faces_;
-  result_.seconds = scheduler.seconds();
+  result_.seconds = seconds;
   result_.refused = by_frequency(refused_);
   result_.max_cost /= diagonal_ > 0 ? diagonal_ : 1;
   return std::move(result_);
@@ -299,9 +289,15 @@ void check_options(const DecimateOptions& o) {
 }  // namespace
 }  // namespace decimation
 
-DecimateResult decimate(TexturedSurface& surface, const DecimateOptions& options) {
+DecimateResult decimate(const Embedding& embedding, NodeId node, const DecimateOptions& options) {
   decimation::check_options(options);
+  if (embedding.tree().mesh(node).dimension() != 2) throw UsageError("decimate: the mesh must be a surface");
+  EmbeddedMesh surface(embedding, node);
   return decimation::Decimator(surface, options).run();
+}
+
+DecimateResult decimate(TexturedSurface& surface, const DecimateOptions& options) {
+  return decimate(surface.embedding(), NodeId::root, options);
 }
 
 }  // namespace multimesh

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/remesh_domain.hpp"
 
-#include <algorithm>
-
-#include "multimesh/domains/simplices_stay.hpp"
-#include "multimesh/embedding.hpp"
-
 namespace multimesh {
 
 namespace {
@@ -17,16 +12,6 @@ ImproveOptions of_tetrahedra(const DomainRemeshOptions& o, int passes) {
   improving.lock_surface = true;
   improving.locked_regions = o.locked_regions;
   return improving;
-}
-
-void lock(Embedding& embedding, const TetDomain& domain, const DomainRemeshOptions& o) {
-  if (o.locked_patches.empty() && o.locked_regions.empty()) return;
-  embedding.add<SimplicesStay>("locked patches and regions stay", [&](NodeId n, Index facet) {
-    if (n == NodeId::root)
-      return std::ranges::find(o.locked_regions, domain.regions()[facet]) != o.locked_regions.end();
-    return n == domain.surface() &&
-           std::ranges::find(o.locked_patches, domain.patch(facet)) != o.locked_patches.end();
-  });
 }
 
 }  // namespace

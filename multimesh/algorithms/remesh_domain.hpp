@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "multimesh/algorithms/domain_locks.hpp"
 #include "multimesh/algorithms/improve.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 
 namespace multimesh {
 
 /// Of the surface of a TetDomain.
-struct DomainRemeshOptions : RemeshOptions {
+struct DomainRemeshOptions : RemeshOptions, DomainLocks {
   /// The tetrahedra are improved towards this AMIPS energy as the surface changes, and at the end.
   double target_amips = 10;
   /// Passes of improvement after each round, and at the end.
   int passes_between = 2, passes_at_end = 40;
-  std::vector<TetDomain::Tag> locked_patches = {};  ///< triangles with these tags stay the same ones
-  std::vector<TetDomain::Tag> locked_regions = {};  ///< so do tetrahedra
 };
 
 struct DomainRemeshResult {

@@ -28,7 +28,7 @@ bool TetsStayPositive::before(const Event& event) {
     const Mesh& mesh = event.tree.mesh(node());
     const Dart at_a = event.copies[i].dart, at_b = mesh.reorder(at_a, exchange_ends);
     const Index a = mesh.vertex(at_a), b = mesh.vertex(at_b);
-    const Vec3 place = positions_.at(a) * (1 - event.t) + positions_.at(b) * event.t;
+    const Vec3 place = positions_.merged(event.collapse_of(i));
     for (const auto& [d, end, other] : {std::tuple(at_a, a, b), std::tuple(at_b, b, a)}) {
       if (event.t == (end == a ? 0 : 1)) continue;  // it stays where it is
       mesh.star(d, 0, star_);

@@ -104,17 +104,4 @@ class TexturedSurface {
   std::unique_ptr<Data> data_;
 };
 
-/// The edges of the surface of which a collapse makes one, pair by pair: those from the ends of e to the
-/// third vertex of each triangle at e. Take it before the collapse.
-class MergingEdges {
- public:
-  MergingEdges(const Mesh& root, Dart e);
-  /// After the collapse: the edge that is left of a pair is hard if either was. Does nothing without normals.
-  /// Not undone with a transaction: call it when the collapse has succeeded for good.
-  void keep_hardness(TexturedSurface& surface) const;
-
- private:
-  std::array<std::array<Index, 2>, 2> pairs_{{{no_index, no_index}, {no_index, no_index}}};
-};
-
 }  // namespace multimesh

@@ -12,33 +12,18 @@ namespace multimesh::test {
 CollapseDriver::CollapseDriver(TexturedSurface& surface, const DecimateOptions& options)
     : options_(options),
       root_(surface.tree().mesh(NodeId::root)),
-      strata_(surface, options_),
-      reader_(surface, strata_),
-      cost_(surface, options_, strata_, reader_),
-      star_(surface.tree(), reader_),
-      positions_(NodeId::root, surface.positions(),
-                 [this](Operation, const VertexChange&) { return plan_.position; }),
-      operations_(surface.tree()) {
-  operations_.add(positions_);
-  for (std::size_t k = 0; k < reader_.n_sets(); ++k) {
-    const auto rule = [this, k](Operation, const VertexChange& c) {
-      for (const decimation::CollapsePlan::Copy& copy : plan_.copies())
-        if (copy.set == k && std::minmax(copy.a, copy.b) == std::minmax(c.a, c.b)) return copy.texcoord;
-      return texcoords_[k]->interpolated(c);
-    };
-    texcoords_.push_back(
-        std::make_unique<VertexAttribute<Vec2>>(surface.textures()[k], surface.texcoords(k), rule));
-    operations_.add(*texcoords_.back());
-    invariants_.push_back(std::make_unique<SeamsStayOpen>(*texcoords_.back()));
-    tests_.push_back(std::make_unique<decimation::TextureOrientation>(surface, reader_, k));
-  }
+      embedding_(surface.embedding()),
+      mesh_(embedding_, NodeId::root),
+      strata_(mesh_, options_),
+      reader_(mesh_, strata_),
+      cost_(options_, strata_, reader_),
+      star_(reader_),
+      places_(mesh_, plan_),
+      held_("held place", [this](const Event&) { return held_place_allowed_; }) {
+  for (std::size_t k = 0; k < reader_.n_sets(); ++k)
+    tests_.push_back(std::make_unique<decimation::TextureOrientation>(reader_, k));
   tests_.push_back(std::make_unique<decimation::NormalTurn>(options_.max_normal_turn));
-  invariants_.push_back(
-      std::make_unique<CopiesStayApart>(surface.tree().mesh(NodeId::root), surface.source_positions()));
-  invariants_.push_back(std::make_unique<FunctionInvariant>(
-      "held place", [this](const Event&) { return held_place_allowed_; }));
-  for (const auto& i : invariants_) operations_.add(*i);
-  operations_.set(LegalityOptions{.contact = true});
+  mesh_.operations().add(held_);
 }
 
 bool CollapseDriver::allowed(const decimation::CollapsePlan& plan) {
@@ -52,7 +37,7 @@ bool CollapseDriver::collapse(Dart e, const decimation::CollapsePlan& plan) {
   star_.read(e);
   if (!allowed(plan_)) return false;
   const Outcome outcome =
-      operations_.collapse(NodeId::root, e, [&](const Event&, std::optional<double> held) {
+      mesh_.operations().collapse(NodeId::root, e, [&](const Event&, std::optional<double> held) {
         held_place_allowed_ = true;
         if (held && *held != plan_.t) {
           plan_ = cost_.plan_at(e, *held);
@@ -109,7 +94,7 @@ struct CheapestFirst {
 
 std::size_t CollapseDriver::collapse_cheapest(std::size_t wanted) {
   CheapestFirst policy{*this, wanted};
-  PriorityScheduler(operations_).run(policy);
+  PriorityScheduler(mesh_.operations()).run(policy);
   return policy.done;
 }
 

@@ -8,7 +8,7 @@
 
 #include "multimesh/algorithms/decimation/collapse_cost.hpp"
 #include "multimesh/algorithms/decimation/placement_test.hpp"
-#include "multimesh/domains/surface_invariants.hpp"
+#include "multimesh/algorithms/decimation/planned_places.hpp"
 #include "multimesh/operations.hpp"
 
 namespace multimesh::test {
@@ -32,6 +32,7 @@ class CollapseDriver {
   const Mesh& root() const { return root_; }
   const decimation::CollapseCost& cost() const { return cost_; }
   const decimation::Strata& strata() const { return strata_; }
+  const decimation::TriangleReader& reader() const { return reader_; }
   /// A test to be asked besides those of the driver; not owned.
   void add(decimation::PlacementTest& test) { more_tests_.push_back(&test); }
   /// Called after a collapse with the star as it was predicted.
@@ -42,19 +43,35 @@ class CollapseDriver {
 
   const DecimateOptions options_;
   const Mesh& root_;
+  Embedding embedding_;
+  EmbeddedMesh mesh_;
   decimation::Strata strata_;
   decimation::TriangleReader reader_;
   decimation::CollapseCost cost_;
   decimation::PredictedStar star_;
   decimation::CollapsePlan plan_;
-  VertexAttribute<Vec3> positions_;
-  std::vector<std::unique_ptr<VertexAttribute<Vec2>>> texcoords_;
+  decimation::PlannedPlaces places_;
   std::vector<std::unique_ptr<decimation::PlacementTest>> tests_;
   std::vector<decimation::PlacementTest*> more_tests_;
-  std::vector<std::unique_ptr<Invariant>> invariants_;
   bool held_place_allowed_ = false;
+  FunctionInvariant held_;
   Dart merged_ = no_dart;
-  Propagation operations_;
+};
+
+/// The costs of a surface as it is, summed up anew.
+struct FreshCost {
+  FreshCost(TexturedSurface& surface, const DecimateOptions& options)
+      : embedding(surface.embedding()),
+        mesh(embedding, NodeId::root),
+        strata(mesh, options),
+        reader(mesh, strata),
+        cost(options, strata, reader) {}
+
+  Embedding embedding;
+  EmbeddedMesh mesh;
+  decimation::Strata strata;
+  decimation::TriangleReader reader;
+  decimation::CollapseCost cost;
 };
 
 }  // namespace multimesh::test

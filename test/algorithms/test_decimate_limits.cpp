@@ -105,8 +105,8 @@ TEST(NormalDeviation, HoldsForAllTrianglesThatWereMergedIntoOne) {
     TexturedSurface surface(in);
     std::vector<Index> source;
     const TexturedTriangles start = surface.triangles(source);
-    decimation::NormalDeviation test(surface, limit);
     CollapseDriver driver(surface, {});
+    decimation::NormalDeviation test(driver.reader(), limit);
     driver.add(test);
     std::vector<std::set<Index>> merged(start.triangles.size());
     for (Index f = 0; f < merged.size(); ++f) merged[f].insert(f);

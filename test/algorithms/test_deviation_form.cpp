@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "multimesh/algorithms/decimation/collapse_cost.hpp"
+#include "test/algorithms/collapse_driver.hpp"
 #include "test/algorithms/made_surface.hpp"
 
 namespace multimesh::test {
@@ -86,9 +86,7 @@ TEST(Memory, CountsTheInputsPlanesByItsWeight) {
     DecimateOptions options;
     options.uv_weight = 0;
     options.memory_weight = memory;
-    Strata strata(surface, options);
-    const TriangleReader reader(surface, strata);
-    return CollapseCost(surface, options, strata, reader).plan_at(e, 0.5).cost;
+    return FreshCost(surface, options).cost.plan_at(e, 0.5).cost;
   };
   for (const Index e : {0U, 100U, 1000U, 2000U}) {
     const Dart d = root.dart_of(1, e);

@@ -224,7 +224,7 @@ TEST(Shading, ADecimatedFlatSurfaceIsFlat) {
   expect_normals(surface, 5, of_the_face);
 }
 
-TEST(MergingEdges, HardWins) {
+TEST(HardEdges, WinWhereTwoEdgesBecomeOne) {
   const TexturedTriangles smooth = round(bare(sphere(3)));
   for (const Placement& placement : {Placement::keep_a(), Placement::keep_b()})
     for (int which = 0; which < 4; ++which) {
@@ -234,25 +234,21 @@ TEST(MergingEdges, HardWins) {
       const Dart side = which < 2 ? e : root.switch_dart(e, 2);
       const Dart at_end = which % 2 == 0 ? side : root.switch_dart(side, 0);
       surface.set_hard(root.simplex(root.switch_dart(at_end, 1), 1));
-      const MergingEdges merging(root, e);
-      Propagation operations(surface.tree());
-      ASSERT_TRUE(operations.collapse(NodeId::root, e, placement));
-      merging.keep_hardness(surface);
+      const Embedding embedding = surface.embedding();
+      ASSERT_TRUE(EmbeddedMesh(embedding, NodeId::root).operations().collapse(NodeId::root, e, placement));
       EXPECT_EQ(hard_edges_of(surface), 1U) << which;
     }
 }
 
-TEST(MergingEdges, AtTheBoundaryThereIsOnePair) {
+TEST(HardEdges, AtTheBoundaryOnePairBecomesOne) {
   TexturedSurface surface(flat(bare(grid(4, 4))));
   const Mesh& root = surface.tree().mesh(NodeId::root);
   Index edge = 0;
   while (!root.is_boundary(root.dart_of(1, edge), 1)) ++edge;
   const Dart e = root.dart_of(1, edge);
   surface.set_hard(root.simplex(root.switch_dart(e, 1), 1));
-  const MergingEdges merging(root, e);
-  Propagation operations(surface.tree());
-  ASSERT_TRUE(operations.collapse(NodeId::root, e));
-  merging.keep_hardness(surface);
+  const Embedding embedding = surface.embedding();
+  ASSERT_TRUE(EmbeddedMesh(embedding, NodeId::root).operations().collapse(NodeId::root, e));
   EXPECT_EQ(hard_edges_of(surface), 1U);
 }
 

@@ -26,8 +26,7 @@ namespace multimesh::decimation {
 class CollapseCost {
  public:
   /// Cost: linear.
-  CollapseCost(const TexturedSurface& surface, const DecimateOptions& options, Strata& strata,
-               const TriangleReader& reader);
+  CollapseCost(const DecimateOptions& options, Strata& strata, const TriangleReader& reader);
 
   /// The best plan; nothing if the ranks of the ends show that no collapse of this edge is legal.
   std::optional<CollapsePlan> plan(Dart e) const;
@@ -46,6 +45,7 @@ class CollapseCost {
   void start(Dart e, CollapsePlan& plan) const;
   void put_at(Dart e, double t, CollapsePlan& plan) const;
   void find_copies(Dart e, CollapsePlan& plan) const;
+  void find_sheets(Dart e, CollapsePlan& plan) const;
   double deviation(const CollapsePlan& plan) const;
   void minimize(CollapsePlan& plan) const;
   void add(const SurfaceTriangle& t, double sign);
@@ -56,7 +56,7 @@ class CollapseCost {
 
   const DecimateOptions& options_;
   const MultiMesh& tree_;
-  const Mesh& root_;
+  const Mesh& mesh_;
   Strata& strata_;
   const TriangleReader& reader_;
   const std::vector<Vec3>& positions_;
@@ -75,8 +75,9 @@ class CollapseCost {
     std::vector<TextureForm> forms;  ///< per vertex of the texture
     std::vector<Index> only_copy;    ///< per vertex of the surface: its one copy here, if it has just one
   };
+  static constexpr Index several_copies = no_index - 1;
   std::vector<Set> sets_;
-  mutable DartBuffer found_;
+  mutable DartBuffer found_, sheets_;
 };
 
 }  // namespace multimesh::decimation

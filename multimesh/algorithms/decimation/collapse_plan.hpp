@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "multimesh/dart.hpp"
 #include "multimesh/geometry/vector.hpp"
@@ -14,6 +15,9 @@ inline constexpr std::size_t max_sets = 4;
 
 /// What is to become of an edge a-b of the surface: where its merged vertex goes, in space and in each of its
 /// copies in the textures.
+///
+/// Where sheets of a surface meet in an edge of the mesh above, each has its own edge there, and all collapse
+/// together: what is said of a and b holds of the ends in the other sheets, too.
 struct CollapsePlan {
   struct Copy {
     std::size_t set;
@@ -21,7 +25,12 @@ struct CollapsePlan {
     Vec2 texcoord;
   };
 
+  struct Ends {
+    Index a, b;
+  };
+
   Index a = no_index, b = no_index;  ///< vertices of the surface
+  std::vector<Ends> other_sheets;    ///< the same of the others
   Vec3 at_a, at_b;                   ///< where they are
   double cost = 0;                   ///< squared deviation, integrated: length^2 x area
   /// The merged vertex has the values of (1-t) a + t b, except for its position and texture coordinates,
@@ -33,6 +42,8 @@ struct CollapsePlan {
 
   std::span<Copy> copies() { return {copy_list.data(), n_copies}; }
   std::span<const Copy> copies() const { return {copy_list.data(), n_copies}; }
+  std::size_t n_sheets() const { return 1 + other_sheets.size(); }
+  Ends sheet(std::size_t i) const { return i == 0 ? Ends{a, b} : other_sheets[i - 1]; }
   /// Whether the merged vertex has another place than this end.
   bool moves(End end) const { return t != (end == End::a ? 0.0 : 1.0); }
 };

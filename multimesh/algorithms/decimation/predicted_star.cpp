@@ -12,23 +12,45 @@ PredictedStar::Face& PredictedStar::next_face() {
 
 void PredictedStar::read(Dart e) {
   n_faces_ = 0;
-  const Dart at_b = root_.reorder(e, exchange_ends);
-  root_.star(e, 1, star_);
-  for (const Dart d : star_) {
-    Face& f = next_face();
-    reader_.read(d, f.before);
-    f.dies = f.changes = true;
+  const Dart far = mesh_.reorder(e, exchange_ends);
+  sheets_.assign(1, e);
+  if (reader_.strata().has_sheets()) reader_.strata().sheets(e, mesh_.vertex(e), mesh_.vertex(far), sheets_);
+  ends_.clear();
+  for (const Dart sheet : sheets_) {
+    ends_.push_back({mesh_.vertex(sheet), mesh_.vertex(mesh_.reorder(sheet, exchange_ends))});
+    mesh_.star(sheet, 1, star_);
+    for (const Dart d : star_) {
+      Face& f = next_face();
+      reader_.read(d, f.before);
+      f.dies = f.changes = true;
+    }
   }
-  read_end(e, root_.vertex(at_b), End::a);
-  read_end(at_b, root_.vertex(e), End::b);
+  for (std::size_t i = 0; i < sheets_.size(); ++i) {
+    if (!was_read(ends_[i].a, i, End::a)) read_end(sheets_[i], End::a);
+    if (!was_read(ends_[i].b, i, End::b)) read_end(mesh_.reorder(sheets_[i], exchange_ends), End::b);
+  }
 }
 
-void PredictedStar::read_end(Dart end, Index other, End which) {
-  root_.star(end, 0, star_);
+// Two sheets may share an end.
+bool PredictedStar::was_read(Index vertex, std::size_t sheets, End which) const {
+  return std::any_of(ends_.begin(), ends_.begin() + static_cast<std::ptrdiff_t>(sheets),
+                     [&](const auto& ends) { return vertex == (which == End::a ? ends.a : ends.b); });
+}
+
+/// Of a triangle whose corner 0 is an end.
+bool PredictedStar::is_dying(const SurfaceTriangle& t, End which) const {
+  return std::any_of(ends_.begin(), ends_.end(), [&](const auto& ends) {
+    const Index own = which == End::a ? ends.a : ends.b, other = which == End::a ? ends.b : ends.a;
+    return t.vertices[0] == own && (t.vertices[1] == other || t.vertices[2] == other);
+  });
+}
+
+void PredictedStar::read_end(Dart end, End which) {
+  mesh_.star(end, 0, star_);
   for (const Dart d : star_) {
     Face& f = next_face();
     reader_.read(d, f.before);
-    if (f.before.vertices[1] == other || f.before.vertices[2] == other) {
+    if (is_dying(f.before, which)) {
       --n_faces_;
       continue;
     }

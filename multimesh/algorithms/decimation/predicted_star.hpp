@@ -8,8 +8,8 @@
 
 namespace multimesh::decimation {
 
-/// The triangles around an edge that may be collapsed, as they are and as a plan would make them: placements
-/// are judged on it before anything is touched.
+/// The triangles around an edge that may be collapsed, in all sheets, as they are and as a plan would make
+/// them: placements are judged on it before anything is touched.
 ///
 ///     .---b---.      .-------.      `faces`: those around a or b; corner 0 is that end. Those over the edge
 ///    / \ / \ / \    / \     / \     die: their corners 0 and 1 are a and b.
@@ -36,10 +36,9 @@ class PredictedStar {
     }
   };
 
-  PredictedStar(const MultiMesh& tree, const TriangleReader& reader)
-      : root_(tree.mesh(NodeId::root)), reader_(reader) {}
+  explicit PredictedStar(const TriangleReader& reader) : mesh_(reader.mesh()), reader_(reader) {}
 
-  /// Reads the star of an edge dart (a, b, ...) of the root. Re-uses its memory. Cost: that of the star.
+  /// Reads the star of an edge dart (a, b, ...) of the surface. Re-uses its memory. Cost: that of the star.
   void read(Dart e);
   /// Predicts the star after a plan for this edge.
   void place(const CollapsePlan& plan);
@@ -49,13 +48,16 @@ class PredictedStar {
 
  private:
   Face& next_face();
-  void read_end(Dart end, Index other, End which);
+  void read_end(Dart end, End which);
+  bool was_read(Index vertex, std::size_t sheets, End which) const;
+  bool is_dying(const SurfaceTriangle& t, End which) const;
 
-  const Mesh& root_;
+  const Mesh& mesh_;
   const TriangleReader& reader_;
   std::vector<Face> faces_;
   std::size_t n_faces_ = 0;
-  DartBuffer star_;
+  DartBuffer star_, sheets_;
+  std::vector<CollapsePlan::Ends> ends_;  ///< by sheet
 };
 
 }  // namespace multimesh::decimation

@@ -51,16 +51,13 @@ bool AspectRatio::allows(const PredictedStar& star, const CollapsePlan&) {
   return has <= limit_ || has < had;
 }
 
-NormalDeviation::NormalDeviation(const TexturedSurface& surface, double limit)
+NormalDeviation::NormalDeviation(const TriangleReader& reader, double limit)
     : PlacementTest("normal deviation"), limit_(limit) {
-  const Mesh& root = surface.tree().mesh(NodeId::root);
-  cones_.resize(root.capacity(2));
-  for (Index f = 0; f < root.capacity(2); ++f) {
-    if (!root.is_live(2, f)) continue;
-    std::array<Index, 4> v;
-    root.vertices(root.dart_of(2, f), v.data());
-    const auto& p = surface.positions();
-    const Vec3 n = area_vector({p[v[0]], p[v[1]], p[v[2]]});
+  const Mesh& mesh = reader.mesh();
+  cones_.resize(mesh.capacity(2));
+  for (Index f = 0; f < mesh.capacity(2); ++f) {
+    if (!mesh.is_live(2, f)) continue;
+    const Vec3 n = area_vector(reader.positions(mesh.dart_of(2, f)));
     if (n.norm() > 0) cones_[f] = {n / n.norm(), 0};
   }
 }

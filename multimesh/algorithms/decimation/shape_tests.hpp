@@ -36,7 +36,7 @@ class AspectRatio final : public PlacementTest {
 class NormalDeviation final : public PlacementTest {
  public:
   /// `limit` in radians. Cost: linear.
-  NormalDeviation(const TexturedSurface& surface, double limit);
+  NormalDeviation(const TriangleReader& reader, double limit);
   bool allows(const PredictedStar& star, const CollapsePlan& plan) override;
   void collapsed(const PredictedStar& star, const CollapsePlan& plan) override;
 

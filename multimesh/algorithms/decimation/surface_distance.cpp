@@ -41,18 +41,18 @@ Witnesses::Set only(Index witness) {
 
 }  // namespace
 
-SurfaceDistance::SurfaceDistance(const TexturedSurface& surface, double bound)
+SurfaceDistance::SurfaceDistance(const TriangleReader& reader, double bound)
     : PlacementTest("maximal error"),
-      surface_(surface),
-      root_(surface.tree().mesh(NodeId::root)),
+      reader_(reader),
+      mesh_(reader.mesh()),
       squared_bound_(bound * bound),
-      triangles_(root_.capacity(2)),
-      witnesses_(root_.capacity(2)),
+      triangles_(mesh_.capacity(2)),
+      witnesses_(mesh_.capacity(2)),
       candidates_(bound) {
-  for (const Vec3& p : surface.positions()) vertices_.push_back({p, 0, {}});
-  for (Index t = 0; t < root_.capacity(2); ++t) {
-    if (!root_.is_live(2, t)) continue;
-    root_.vertices(root_.dart_of(2, t), triangles_[t].vertices.data());
+  for (Index v = 0; v < mesh_.capacity(0); ++v) vertices_.push_back({reader.positions()[v], 0, {}});
+  for (Index t = 0; t < mesh_.capacity(2); ++t) {
+    if (!mesh_.is_live(2, t)) continue;
+    mesh_.vertices(mesh_.dart_of(2, t), triangles_[t].vertices.data());
     witnesses_.set(t, only(t));
   }
 }
@@ -142,10 +142,7 @@ void SurfaceDistance::add_witnesses_elsewhere(const PredictedStar& star, Index i
   for (const Index w : witnesses_.of(input)) {
     const auto is_witness = [w](const PredictedStar::Face& f) { return f.before.facet == w; };
     if (w == no_index || std::any_of(star.faces().begin(), star.faces().end(), is_witness)) continue;
-    std::array<Index, 3> v;
-    root_.vertices(root_.dart_of(2, w), v.data());
-    const auto& p = surface_.positions();
-    candidates_.add(w, {p[v[0]], p[v[1]], p[v[2]]});
+    candidates_.add(w, reader_.positions(mesh_.dart_of(2, w)));
   }
 }
 

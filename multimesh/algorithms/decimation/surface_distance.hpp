@@ -22,7 +22,7 @@ namespace multimesh::decimation {
 class SurfaceDistance final : public PlacementTest {
  public:
   /// Cost: linear.
-  SurfaceDistance(const TexturedSurface& surface, double bound);
+  SurfaceDistance(const TriangleReader& reader, double bound);
   /// Cost: the triangles of the input witnessed in the star, times the size of the star.
   bool allows(const PredictedStar& star, const CollapsePlan& plan) override;
   void collapsed(const PredictedStar& star, const CollapsePlan& plan) override;
@@ -62,8 +62,8 @@ class SurfaceDistance final : public PlacementTest {
   const NearTriangles::Near& near(Vertex& v);
   Witnesses::Set named(Mask chosen) const;
 
-  const TexturedSurface& surface_;
-  const Mesh& root_;
+  const TriangleReader& reader_;
+  const Mesh& mesh_;
   double squared_bound_;
   std::vector<Vertex> vertices_;  ///< of the input
   std::vector<InputTriangle> triangles_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "multimesh/algorithms/decimation/collapse_plan.hpp"
@@ -38,22 +39,40 @@ inline void clear_curves(SurfaceTriangle& t) {
 /// Reads triangles of a surface.
 class TriangleReader {
  public:
-  TriangleReader(const TexturedSurface& surface, const Strata& strata);
+  /// \throw InputError if it has more than max_sets charts
+  TriangleReader(EmbeddedMesh& surface, const Strata& strata);
 
+  const MultiMesh& tree() const noexcept { return surface_.tree(); }
+  const Mesh& mesh() const noexcept { return mesh_; }
+  const Strata& strata() const noexcept { return strata_; }
+  std::array<Vec3, 3> positions(Dart d) const;
+  const std::vector<Vec3>& positions() const noexcept { return positions_; }
   std::size_t n_sets() const noexcept { return textures_.size(); }
+  NodeId node() const noexcept { return surface_.node(); }
+  NodeId texture(std::size_t set) const { return textures_[set].node; }
+  const std::vector<Vec2>& texcoords(std::size_t set) const { return *textures_[set].texcoords; }
   void read(Dart d, SurfaceTriangle& triangle) const;
+  /// Of the box around the vertices, as they were at the start.
+  double diagonal() const noexcept { return diagonal_; }
 
  private:
+  struct Texture {
+    NodeId node;
+    const Mesh* mesh;
+    std::vector<FacetCopies> down;  ///< from the surface, step by step
+    std::unique_ptr<CoordinateList<Vec2>> list;
+    const std::vector<Vec2>* texcoords;
+    Dart facet_over(Dart d) const;
+  };
+  void add_texture(Coordinates& chart);
   void read_curves(Dart d, const std::array<Dart, max_sets>& copies, SurfaceTriangle& triangle) const;
 
+  EmbeddedMesh& surface_;
   const Strata& strata_;
-  const Mesh& root_;
+  const Mesh& mesh_;
+  CoordinateList<Vec3> list_;
   const std::vector<Vec3>& positions_;
-  struct Texture {
-    FacetCopies facet_over;
-    const Mesh* mesh;
-    const std::vector<Vec2>* texcoords;
-  };
+  double diagonal_;
   std::vector<Texture> textures_;
 };
 

@@ -15,18 +15,17 @@ spatial::Triangle in_space(const std::array<Vec2, 3>& t) {
 
 }  // namespace
 
-TextureDistance::TextureDistance(const TexturedSurface& surface, const TriangleReader& reader,
-                                 std::size_t set, double bound)
+TextureDistance::TextureDistance(const TriangleReader& reader, std::size_t set, double bound)
     : PlacementTest(set == 0 ? "maximal texture error" : "maximal texture error " + std::to_string(set + 1)),
       set_(set),
       squared_bound_(bound * bound),
-      first_(surface.tree().mesh(NodeId::root).capacity(2), no_index) {
-  const Mesh& root = surface.tree().mesh(NodeId::root);
-  std::vector<bool> seen(surface.tree().mesh(surface.textures()[set]).capacity(0), false);
+      first_(reader.mesh().capacity(2), no_index) {
+  const Mesh& mesh = reader.mesh();
+  std::vector<bool> seen(reader.tree().mesh(reader.texture(set)).capacity(0), false);
   SurfaceTriangle t;
-  for (Index f = 0; f < root.capacity(2); ++f) {
-    if (!root.is_live(2, f)) continue;
-    reader.read(root.dart_of(2, f), t);
+  for (Index f = 0; f < mesh.capacity(2); ++f) {
+    if (!mesh.is_live(2, f)) continue;
+    reader.read(mesh.dart_of(2, f), t);
     if (t.sets[set].facet == no_index) continue;
     for (std::size_t i = 0; i < 3; ++i) {
       const Index w = t.sets[set].vertices[i];

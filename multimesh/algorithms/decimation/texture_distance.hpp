@@ -14,8 +14,7 @@ namespace multimesh::decimation {
 /// (The idea of Klein, Liebich, Strasser 1996, for points instead of triangles.)
 class TextureDistance final : public PlacementTest {
  public:
-  TextureDistance(const TexturedSurface& surface, const TriangleReader& reader, std::size_t set,
-                  double bound);
+  TextureDistance(const TriangleReader& reader, std::size_t set, double bound);
   bool allows(const PredictedStar& star, const CollapsePlan& plan) override;
   void collapsed(const PredictedStar& star, const CollapsePlan& plan) override;
 

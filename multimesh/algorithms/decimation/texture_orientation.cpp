@@ -36,12 +36,11 @@ struct Box {
 
 }  // namespace
 
-TextureOrientation::TextureOrientation(const TexturedSurface& surface, const TriangleReader& reader,
-                                       std::size_t set)
+TextureOrientation::TextureOrientation(const TriangleReader& reader, std::size_t set)
     : PlacementTest(set == 0 ? "texture orientation" : "texture orientation " + std::to_string(set + 1)),
       set_(set) {
-  find_charts(surface.tree().mesh(surface.textures()[set]));
-  orient_charts(surface, reader);
+  find_charts(reader.tree().mesh(reader.texture(set)));
+  orient_charts(reader);
 }
 
 void TextureOrientation::find_charts(const Mesh& texture) {
@@ -68,15 +67,15 @@ void TextureOrientation::find_charts(const Mesh& texture) {
 
 // Signs are taken in the order that the surface's own darts give, since stars are read in it; a chart runs
 // with the surface everywhere or against it everywhere.
-void TextureOrientation::orient_charts(const TexturedSurface& surface, const TriangleReader& reader) {
-  const Mesh& root = surface.tree().mesh(NodeId::root);
+void TextureOrientation::orient_charts(const TriangleReader& reader) {
+  const Mesh& mesh = reader.mesh();
   std::vector<double> total(charts_.size(), 0), absolute(charts_.size(), 0);
   std::vector<Box> boxes(charts_.size());
   Box whole;
   SurfaceTriangle t;
-  for (Index f = 0; f < root.capacity(2); ++f) {
-    if (!root.is_live(2, f)) continue;
-    reader.read(root.dart_of(2, f), t);
+  for (Index f = 0; f < mesh.capacity(2); ++f) {
+    if (!mesh.is_live(2, f)) continue;
+    reader.read(mesh.dart_of(2, f), t);
     if (t.sets[set_].facet == no_index) continue;
     const Index chart = chart_of_[t.sets[set_].facet];
     const double area = doubled_area(t.sets[set_].texcoords);

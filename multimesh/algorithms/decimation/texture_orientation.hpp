@@ -16,7 +16,7 @@ namespace multimesh::decimation {
 class TextureOrientation final : public PlacementTest {
  public:
   /// Cost: linear.
-  TextureOrientation(const TexturedSurface& surface, const TriangleReader& reader, std::size_t set);
+  TextureOrientation(const TriangleReader& reader, std::size_t set);
   bool allows(const PredictedStar& star, const CollapsePlan& plan) override;
   std::size_t charts() const { return charts_.size(); }
 
@@ -28,7 +28,7 @@ class TextureOrientation final : public PlacementTest {
     double no_area = 0;
   };
   void find_charts(const Mesh& texture);
-  void orient_charts(const TexturedSurface& surface, const TriangleReader& reader);
+  void orient_charts(const TriangleReader& reader);
   bool keeps_sign(const PredictedStar::Face& face) const;
 
   std::size_t set_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "multimesh/coordinates.hpp"
 #include "multimesh/domains/periodic_domain.hpp"
 
@@ -17,6 +20,11 @@ class TileCoordinates final : public Coordinates {
   /// A coordinate that changes only by rounding is left unchanged: flat sides stay flat.
   void set(Index v, const Vec3& x) override;
   Vec3 place_of_copy(Index copy, Index v, const Vec3& x) const override;
+  Vec3 merged(const VertexChange& c) const override {
+    return domain_.positions().result(Operation::collapse, c);
+  }
+  void prescribe(Places places) override { domain_.positions().prescribe(std::move(places)); }
+  const std::vector<Vec3>* list(const Vec3*) const override { return &domain_.positions().values(); }
 
  private:
   PeriodicDomain& domain_;

@@ -27,6 +27,7 @@ class HardEdgesStay final : public Invariant {
 
 Embedding TexturedSurface::embedding() {
   Data& d = *data_;
+  CurveKinds seams = no_curve;
   Embedding e(*d.tree);
   e.set(LegalityOptions{.contact = true});
   e.add_coordinates(e.add<VertexAttribute<Vec3>>(NodeId::root, *d.positions), Embedding::Kind::space);
@@ -34,7 +35,10 @@ Embedding TexturedSurface::embedding() {
     auto& texcoords = e.add<VertexAttribute<Vec2>>(d.textures[set], *d.texcoords[set]);
     e.add_coordinates(texcoords, Embedding::Kind::chart);
     e.add<SeamsStayOpen>(texcoords);
+    seams |= seam_of(set);
   }
+  if (d.curves)
+    e.mark_seams(*d.curves, [kinds = d.curve_kinds, seams](Index c) { return ((*kinds)[c] & ~seams) == 0; });
   if (d.colors) e.add<VertexAttribute<Vec3>>(NodeId::root, *d.colors);
   if (d.hard) {
     e.add<Column<char>>(NodeId::root, 1, *d.hard, ColumnRules<char>::unite());

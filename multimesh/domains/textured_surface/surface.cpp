@@ -103,21 +103,4 @@ std::size_t TexturedSurface::live_triangles() const {
   return n;
 }
 
-MergingEdges::MergingEdges(const Mesh& root, Dart e) {
-  const auto edges = [&](Dart d) {  // of (a, b, l): a-l and b-l
-    return std::array{root.simplex(root.switch_dart(d, 1), 1),
-                      root.simplex(root.switch_dart(root.switch_dart(d, 0), 1), 1)};
-  };
-  pairs_[0] = edges(e);
-  if (const Dart across = root.switch_dart(e, 2); across != no_dart) pairs_[1] = edges(across);
-}
-
-void MergingEdges::keep_hardness(TexturedSurface& surface) const {
-  const Mesh& root = surface.tree().mesh(NodeId::root);
-  for (const auto& [a, b] : pairs_) {
-    if (a == no_index || !(surface.hard(a) || surface.hard(b))) continue;
-    surface.set_hard(root.is_live(1, a) ? a : b);
-  }
-}
-
 }  // namespace multimesh
