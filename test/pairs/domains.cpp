@@ -45,7 +45,7 @@ class Textured final : public SurfaceInDomain {
       for (const AffineMap& map : made_.maps) nearest = std::min(nearest, (map(p) - uv).norm());
       farthest = std::max(farthest, nearest);
     });
-    return farthest < 1e-9 ? "" : "texture coordinates off by " + std::to_string(farthest);
+    return farthest < 1e-6 ? "" : "texture coordinates off by " + std::to_string(farthest);
   }
 
  private:
@@ -81,7 +81,7 @@ class AttachedMesh final : public SurfaceInDomain {
       for (const auto h : mesh_.fh_range(f))
         farthest =
             std::max(farthest, (mesh_.texcoord2D(h) - uv(mesh_.point(mesh_.to_vertex_handle(h)))).norm());
-    if (farthest > 1e-9) return "texture coordinates of corners off by " + std::to_string(farthest);
+    if (farthest > 1e-6) return "texture coordinates of corners off by " + std::to_string(farthest);
     for (const auto f : mesh_.faces()) {
       const auto h = mesh_.halfedge_handle(f);
       const auto p = mesh_.point(mesh_.from_vertex_handle(h)), q = mesh_.point(mesh_.to_vertex_handle(h)),

@@ -2,6 +2,7 @@
 // Each algorithm for surfaces in each domain: the same call, and everything else in the tree follows.
 #include <gtest/gtest.h>
 
+#include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/subdivide.hpp"
 #include "test/pairs/domains.hpp"
@@ -53,6 +54,16 @@ TEST_P(Pairs, SubdivideMakesFourOfEachTriangle) {
     EXPECT_EQ(r.refused_splits + r.refused_swaps, 0U);
     EXPECT_NEAR(domain_->area(), area_, tolerance());
   }
+}
+
+TEST_P(Pairs, DecimateReachesTheCount) {
+  DecimateOptions options;
+  options.faces = live_facets(mesh()) * 2 / 5;
+  const DecimateResult r = decimate(domain_->embedding(), domain_->surface(), options);
+  EXPECT_EQ(fault_of(*domain_, before_), "");
+  EXPECT_EQ(r.stop, DecimateResult::Stop::faces);
+  EXPECT_EQ(r.faces_after, live_facets(mesh()));
+  EXPECT_NEAR(domain_->area(), area_, tolerance());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Pairs, testing::ValuesIn(domain_cases()),

@@ -26,8 +26,10 @@ void PredictedStar::read(Dart e) {
     }
   }
   for (std::size_t i = 0; i < sheets_.size(); ++i) {
-    if (!was_read(ends_[i].a, i, End::a)) read_end(sheets_[i], End::a);
-    if (!was_read(ends_[i].b, i, End::b)) read_end(mesh_.reorder(sheets_[i], exchange_ends), End::b);
+    const Vec3 from_first = reader_.positions()[ends_[i].a] - reader_.positions()[ends_[0].a];
+    if (!was_read(ends_[i].a, i, End::a)) read_end(sheets_[i], End::a, from_first);
+    if (!was_read(ends_[i].b, i, End::b))
+      read_end(mesh_.reorder(sheets_[i], exchange_ends), End::b, from_first);
   }
 }
 
@@ -45,7 +47,7 @@ bool PredictedStar::is_dying(const SurfaceTriangle& t, End which) const {
   });
 }
 
-void PredictedStar::read_end(Dart end, End which) {
+void PredictedStar::read_end(Dart end, End which, const Vec3& from_first) {
   mesh_.star(end, 0, star_);
   for (const Dart d : star_) {
     Face& f = next_face();
@@ -56,6 +58,7 @@ void PredictedStar::read_end(Dart end, End which) {
     }
     f.end = which;
     f.dies = false;
+    f.from_first = from_first;
   }
 }
 
@@ -63,7 +66,7 @@ void PredictedStar::place(const CollapsePlan& plan) {
   for (Face& f : std::span(faces_.data(), n_faces_)) {
     if (f.dies) continue;
     f.changes = plan.moves(f.end);
-    f.position = f.changes ? plan.position : f.before.positions[0];
+    f.position = f.changes ? plan.position + f.from_first : f.before.positions[0];
     for (std::size_t k = 0; k < n_sets(); ++k) {
       const SurfaceTriangle::Textured& set = f.before.sets[k];
       if (set.facet == no_index) continue;

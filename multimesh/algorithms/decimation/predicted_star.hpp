@@ -23,6 +23,7 @@ class PredictedStar {
     End end = End::a;
     bool dies = false;
     bool changes = false;  ///< by the plan
+    Vec3 from_first{};     ///< how far its sheet lies from the first one: not 0 in periodic tiles
     /// Corner 0 after the plan.
     Vec3 position;
     std::array<Vec2, max_sets> texcoords;
@@ -48,7 +49,7 @@ class PredictedStar {
 
  private:
   Face& next_face();
-  void read_end(Dart end, End which);
+  void read_end(Dart end, End which, const Vec3& from_first);
   bool was_read(Index vertex, std::size_t sheets, End which) const;
   bool is_dying(const SurfaceTriangle& t, End which) const;
 

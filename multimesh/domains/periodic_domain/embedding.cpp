@@ -37,6 +37,26 @@ void TileCoordinates::set(Index v, const Vec3& x) {
   for (const Dart d : copies_) positions.set(mesh.vertex(d), place_of_copy(mesh.vertex(d), first, place));
 }
 
+Vec3 TileCoordinates::merged(const VertexChange& c) const {
+  return domain_.positions().result(Operation::collapse, c);
+}
+
+void TileCoordinates::prescribe(Places places) {
+  auto& positions = domain_.positions();
+  if (!places) return positions.prescribe({});
+  positions.prescribe([this, &positions, places = std::move(places)](const VertexChange& c) {
+    std::optional<Vec3> x = places(c);
+    if (!x) return x;
+    const Lattice& lattice = domain_.lattice();
+    const Vec3 periods = lattice.coordinates((positions[c.a] + positions[c.b]) / 2 - *x);
+    LatticeVector shift{};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (lattice.is_periodic(static_cast<int>(i))) shift[i] = static_cast<int>(std::lround(periods[i]));
+    if (shift != LatticeVector{}) *x += lattice.shift(shift);
+    return x;
+  });
+}
+
 // A vertex that is merged into one with more copies than the edge has stays where it was.
 void CopiesKeepTheirOffsets::finish(const Event& event) {
   if (event.operation == Operation::flip || event.copies.count(node()) < 2) return;

@@ -20,10 +20,9 @@ class TileCoordinates final : public Coordinates {
   /// A coordinate that changes only by rounding is left unchanged: flat sides stay flat.
   void set(Index v, const Vec3& x) override;
   Vec3 place_of_copy(Index copy, Index v, const Vec3& x) const override;
-  Vec3 merged(const VertexChange& c) const override {
-    return domain_.positions().result(Operation::collapse, c);
-  }
-  void prescribe(Places places) override { domain_.positions().prescribe(std::move(places)); }
+  Vec3 merged(const VertexChange& c) const override;
+  /// A place may be given as seen from any copy: each takes the one nearest to its edge.
+  void prescribe(Places places) override;
   const std::vector<Vec3>* list(const Vec3*) const override { return &domain_.positions().values(); }
 
  private:
