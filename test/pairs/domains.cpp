@@ -154,6 +154,13 @@ class GluedBox final : public SurfaceInDomain {
   std::string fault() const override {
     if (!copies_fit(domain_)) return "copies are not lattice vectors apart";
     if (std::abs(size(domain_) - 1) > 1e-12) return "the box has another size";
+    const PeriodicTile now = domain_.tile_lists();
+    for (const PeriodicSide& side : domain_.sides()) {
+      const std::size_t axis = side.shift[0] != 0 ? 0 : 1;
+      for (std::size_t i = 0; i < side.master.corners.size(); ++i)
+        if (now.points[side.master.corners[i]][axis] != 0 || now.points[side.slave.corners[i]][axis] != 1)
+          return "a side is not flat any more";
+    }
     const Mesh& mesh = tree().mesh(domain_.tile());
     if (mesh.dimension() == 3) return inverted_tet(mesh, [&](Index v) { return domain_.positions()[v]; });
     return inverted(domain_) == 0 ? "" : "a triangle is turned over";

@@ -13,6 +13,8 @@ namespace {
 
 /// Changes of a coordinate up to this, relative to the size of the tile, are rounding.
 constexpr double rounding = 1e-15;
+/// The same of places that algorithms compute as solutions of equations.
+constexpr double solved = 1e-9;
 
 }  // namespace
 
@@ -53,6 +55,11 @@ void TileCoordinates::prescribe(Places places) {
     for (std::size_t i = 0; i < 3; ++i)
       if (lattice.is_periodic(static_cast<int>(i))) shift[i] = static_cast<int>(std::lround(periods[i]));
     if (shift != LatticeVector{}) *x += lattice.shift(shift);
+    for (std::size_t i = 0; i < 3; ++i) {  // an edge in a flat side stays there
+      const double both = positions[c.a][i];
+      if (both == positions[c.b][i] && std::abs((*x)[i] - both) <= solved * domain_.diagonal())
+        (*x)[i] = both;
+    }
     return x;
   });
 }
