@@ -136,7 +136,7 @@ T interpolated(const T& a, const T& b, double t) {
 /// attribute may have another rule, for instance one that takes the value from the parent's mesh:
 ///   [&](Operation, const VertexChange& c) { return parent_values[c.above]; }
 /// A rule must only read: invariants call it, through result(), to predict the vertex's value.
-/// While an algorithm runs, it may prescribe the values of merged vertices, which then take precedence.
+/// During its run, an algorithm may prescribe the values of merged vertices; they take precedence over rules.
 template <class T>
 class VertexAttribute final : public ValueAttribute<T> {
  public:

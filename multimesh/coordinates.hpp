@@ -27,7 +27,7 @@ class Coordinates {
 
   /// What at() gives after set(): of a type with fewer digits.
   virtual Vec3 rounded(const Vec3& x) const { return x; }
-  /// Where the merged vertex of a collapse will be.
+  /// The place that the merged vertex of a collapse will have.
   virtual Vec3 merged(const VertexChange& c) const = 0;
   /// Says where merged vertices go, by the changes of the mesh that stores the coordinates; nothing: as if it
   /// had not been asked. See PrescribedPlaces.
@@ -38,7 +38,7 @@ class Coordinates {
   virtual const std::vector<Vec2>* list(const Vec2*) const { return nullptr; }
 };
 
-/// As long as it lives, an algorithm says where merged vertices go.
+/// During its lifetime, an algorithm prescribes the places of merged vertices.
 class PrescribedPlaces {
  public:
   PrescribedPlaces(Coordinates& of, Coordinates::Places places) : of_(of) { of.prescribe(std::move(places)); }

@@ -50,8 +50,8 @@ class Embedding {
     coordinates_.push_back({std::move(coordinates), kind});
     return *coordinates_.back().coordinates;
   }
-  /// Of a mesh of curves: which of its edges are there only because charts are cut open along them. Where
-  /// such lines run in space matters less than where others do. Without it none are.
+  /// For a mesh of curves: which of its edges exist only because charts are cut open along them. The place of
+  /// such edges in space matters less than that of others. Without it there are none.
   void mark_seams(NodeId curves, std::function<bool(Index edge)> is_only_seam) {
     seams_.emplace_back(curves, std::move(is_only_seam));
   }
@@ -88,7 +88,7 @@ class EmbeddedMesh {
   std::vector<Attribute*> inherited() const;
   /// The charts of the meshes of this dimension below it.
   std::span<Coordinates* const> charts() const noexcept { return charts_; }
-  /// Whether an edge of a mesh of curves is there only because charts are cut open along it.
+  /// Whether an edge of a mesh of curves exists only because charts are cut open along it.
   bool is_only_seam(NodeId curves, Index edge) const;
 
  private:

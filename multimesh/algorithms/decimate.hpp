@@ -62,9 +62,9 @@ struct DecimateOptions {
   /// Weight of the distance from the planes of the input beside that from the surface as it is by then.
   double memory_weight = 0.3;
 
-  /// Called each time that a fifth of the faces is gone or nothing more can be collapsed: others may operate
-  /// on the tree if their operations carry these attributes and leave the surface as it is. Then all edges
-  /// are tried again, until that helps no more.
+  /// Called each time that a fifth of the faces is gone, or nothing more can be collapsed. Other code may
+  /// then operate on the tree if its operations carry these attributes and leave the surface as it is. Then
+  /// all edges are tried again, until that no longer helps.
   std::function<void(std::span<Attribute* const> carried)> between_rounds = {};
   /// Called about every thousand collapses with the number of triangles left; may throw to abandon the run.
   std::function<void(std::size_t faces)> progress = {};
@@ -95,12 +95,12 @@ struct DecimateResult {
   double max_cost = 0;
 };
 
-/// Collapses edges of a surface, wherever it is in a tree, cheapest first. Kept: the topology of all meshes,
-/// the graph of the curves and of what bounds charts, every triangle's orientation in each chart and (nearly)
-/// in space, and locked vertices. Everything else that the embedding has goes along, and what may not happen
-/// besides is for it to say: for instance, that tetrahedra stay positive. Deterministic. Cost: O(n log n).
-/// \throw InputError if no target is given, an option is out of range, or the surface has more than 4 charts;
-/// UsageError if the mesh is no surface or has no coordinates in space
+/// Collapses edges of a surface, anywhere in a tree, cheapest first. Kept: the topology of all meshes, the
+/// graph of the curves and of what bounds charts, every triangle's orientation in each chart and (nearly) in
+/// space, and locked vertices. Everything else in the embedding follows, and its invariants add conditions:
+/// for instance, that tetrahedra stay positive. Deterministic. Cost: O(n log n).
+/// \throw InputError if no target is given, an option is out of range, or the surface has more than 4
+/// charts; UsageError if the mesh is not a surface or has no coordinates in space
 DecimateResult decimate(const Embedding& embedding, NodeId surface, const DecimateOptions& options);
 
 /// The same for a textured surface with all its sets of texture coordinates, colours, curves, labels and hard

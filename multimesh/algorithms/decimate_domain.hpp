@@ -9,7 +9,7 @@
 
 namespace multimesh {
 
-/// Of the surface of a TetDomain.
+/// For the surface of a TetDomain.
 struct DomainDecimateOptions : DecimateOptions, DomainLocks {
   /// Between rounds, and at the end, tetrahedra are improved towards this AMIPS energy.
   double target_amips = 10;
@@ -25,11 +25,11 @@ struct DomainDecimateResult {
 };
 
 /// Decimates the surface of a domain (boundary, interfaces and listed triangles) while the tetrahedra follow;
-/// all of them stay of positive volume, exactly. Patches, regions and curves are kept as decimate() keeps
-/// charts and curves. Each time that a fifth of the faces is gone, or nothing more can be collapsed, edges
-/// inside that are shorter than those of the surface are collapsed and the tetrahedra improved, with the
-/// surface as it is then, so that there is room for the next round. \throw InputError as decimate() and
-/// improve() do, and if the domain has no surface. Cost: that of both, per round
+/// all of them keep a positive volume, exactly. Patches, regions and curves are kept as decimate() keeps
+/// charts and curves. Each time that a fifth of the faces is gone, or nothing more can be collapsed, inner
+/// edges shorter than those of the surface are collapsed and the tetrahedra improved with the current surface
+/// fixed, which makes room for the next round. \throw InputError as decimate() and improve(), and if the
+/// domain has no surface. Cost: that of both, per round
 DomainDecimateResult decimate(TetDomain& domain, const DomainDecimateOptions& options);
 
 }  // namespace multimesh

@@ -8,9 +8,9 @@
 
 namespace multimesh {
 
-/// What of a TetDomain an algorithm leaves as it is.
+/// The parts of a TetDomain that an algorithm leaves unchanged.
 struct DomainLocks {
-  std::vector<TetDomain::Tag> locked_patches = {};  ///< triangles with these tags stay the same ones
+  std::vector<TetDomain::Tag> locked_patches = {};  ///< triangles with these tags stay unchanged
   std::vector<TetDomain::Tag> locked_regions = {};  ///< so do tetrahedra
 };
 
