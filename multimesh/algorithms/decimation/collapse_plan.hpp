@@ -42,6 +42,12 @@ struct CollapsePlan {
 
   std::span<Copy> copies() { return {copy_list.data(), n_copies}; }
   std::span<const Copy> copies() const { return {copy_list.data(), n_copies}; }
+  /// Calls f(a, b) for each sheet.
+  template <class F>
+  void for_each_sheet(F f) const {
+    f(a, b);
+    for (const Ends& ends : other_sheets) f(ends.a, ends.b);
+  }
   std::size_t n_sheets() const { return 1 + other_sheets.size(); }
   Ends sheet(std::size_t i) const { return i == 0 ? Ends{a, b} : other_sheets[i - 1]; }
   /// Whether the merged vertex has another place than this end.
