@@ -64,6 +64,42 @@ TEST(PriorityScheduler, SplitsTreesOfAllKindsUntilNothingIsTooLong) {
   }
 }
 
+/// The same on any mesh of a tree.
+struct SplittingBelow {
+  double length(Dart e) const {
+    const Mesh& mesh = tree.tree->mesh(node);
+    const auto& p = tree.points(node);
+    return (p[mesh.vertex(e)] - p[mesh.vertex(mesh.reorder(e, exchange_ends))]).norm();
+  }
+  double longest() const {
+    double most_now = 0;
+    for (const Dart d : all_darts(tree.tree->mesh(node))) most_now = std::max(most_now, length(d));
+    return most_now;
+  }
+  std::optional<double> cost(Dart e) const {
+    return length(e) > most ? std::optional(-length(e)) : std::nullopt;
+  }
+  Outcome apply(Dart e, double) { return tree.operations->split(node, e); }
+  bool finished(double) const { return false; }
+
+  Tree& tree;
+  NodeId node;
+  double most;
+};
+
+TEST(PriorityScheduler, SplitsAnyMeshOfATreeUntilNothingIsTooLong) {
+  for (const TreeKind& kind : tree_kinds()) {
+    const auto tree = kind.make(24, 5);
+    for (const NodeId n : tree->tree->nodes()) {
+      if (n == NodeId::root || tree->tree->mesh(n).dimension() == 0) continue;
+      SplittingBelow policy{*tree, n, 1};
+      policy.most = 0.7 * policy.longest();
+      (void)PriorityScheduler(*tree->operations, n).run(policy);
+      EXPECT_LE(policy.longest(), policy.most) << kind.name << ", mesh " << index(n);
+    }
+  }
+}
+
 /// A vertex is inserted at the middle of a triangle while one of its sides is too long.
 struct Inserting : Splitting {
   using Splitting::Splitting;
