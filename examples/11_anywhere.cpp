@@ -9,7 +9,7 @@
 #include "multimesh/domains/tet_domain.hpp"
 #include "multimesh/embedding.hpp"
 #include "multimesh/files/surface_file.hpp"
-#include "multimesh/tree_strata.hpp"
+#include "multimesh/strata.hpp"
 #include "multimesh/validate.hpp"
 
 using namespace multimesh;
@@ -71,7 +71,7 @@ class Coarsening {
 
   EmbeddedMesh surface_;
   const Mesh& mesh_;
-  TreeStrata strata_;
+  Strata strata_;
   double shortest_;
   Copies copies_;
   DartBuffer star_;

@@ -7,5 +7,5 @@
 #include "multimesh/embedding.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/scheduler.hpp"
-#include "multimesh/tree_strata.hpp"
+#include "multimesh/strata.hpp"
 #include "multimesh/validate.hpp"

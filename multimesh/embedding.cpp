@@ -23,7 +23,7 @@ bool EmbeddedMesh::is_only_seam(NodeId curves, Index edge) const {
   return false;
 }
 
-EmbeddedMesh::EmbeddedMesh(const Embedding& embedding, NodeId n)
+EmbeddedMesh::EmbeddedMesh(const Embedding& embedding, NodeId n, bool judges_orientation)
     : embedding_(embedding), node_(n), operations_(embedding.operations_), mesh_(tree().mesh(n)) {
   std::vector<NodeId> way;  // from n up to what has coordinates
   for (NodeId above = n; !(positions_ = embedding.find(above, Embedding::Kind::space));
@@ -38,6 +38,8 @@ EmbeddedMesh::EmbeddedMesh(const Embedding& embedding, NodeId n)
     operations_.add(inherited_.back()->attribute());
     positions_ = inherited_.back().get();
   }
+  for (const auto& invariant : embedding.orientations_)
+    if (!judges_orientation || invariant->node() != n) operations_.add(*invariant);
   for (const NodeId below : tree().descendants(n))
     if (Coordinates* chart = embedding.find(below, Embedding::Kind::chart);
         chart && tree().mesh(below).dimension() == mesh_.dimension())

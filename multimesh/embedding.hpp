@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "multimesh/coordinates.hpp"
+#include "multimesh/keeps_orientation.hpp"
 #include "multimesh/operations.hpp"
+#include "multimesh/simplices_stay.hpp"
 
 namespace multimesh {
 
@@ -56,6 +58,24 @@ class Embedding {
     seams_.emplace_back(curves, std::move(is_only_seam));
   }
 
+  // --- what no operation may change
+  /// No facet of the mesh of these coordinates may turn over, see KeepsOrientation.
+  void keep_orientation(const Coordinates& c, const Vec3& normal = {0, 0, 1}) {
+    orientations_.push_back(std::make_unique<KeepsOrientation>(c, normal));
+  }
+  /// These facets stay as they are, see SimplicesStay.
+  void keep(std::string name, SimplicesStay::Stays stays) {
+    kept_.facets.push_back(&add<SimplicesStay>(std::move(name), std::move(stays)));
+  }
+  /// Says which edges of a mesh some other invariant keeps.
+  void tell_kept_edges(NodeId n, std::function<bool(Dart edge)> kept) {
+    kept_.edges.emplace_back(n, std::move(kept));
+  }
+  /// Says to which part of the mesh each facet belongs, in a list that follows the operations. Faces between
+  /// parts count as walls.
+  void tell_parts(NodeId n, const std::vector<std::int32_t>& part) { kept_.parts.emplace_back(n, &part); }
+  const Kept& kept() const noexcept { return kept_; }
+
  private:
   friend class EmbeddedMesh;
   struct Known {
@@ -68,6 +88,8 @@ class Embedding {
   std::vector<std::shared_ptr<void>> owned_;
   std::vector<Known> coordinates_;
   std::vector<std::pair<NodeId, std::function<bool(Index)>>> seams_;
+  std::vector<std::unique_ptr<KeepsOrientation>> orientations_;
+  Kept kept_;
 };
 
 /// One mesh of an embedding during a run of an algorithm: operations that carry everything the embedding has,
@@ -76,8 +98,10 @@ class Embedding {
 /// between if the vertices of this mesh keep their places.
 class EmbeddedMesh {
  public:
+  /// \param judges_orientation the algorithm itself asks the exact sign of each facet of this mesh before it
+  /// makes it: the embedding does not, neither of vertices that are there for a moment, as in a swap.
   /// \throw UsageError if there are no coordinates in space. Cost: linear, if they are those of a mesh above
-  EmbeddedMesh(const Embedding& embedding, NodeId n);
+  EmbeddedMesh(const Embedding& embedding, NodeId n, bool judges_orientation = false);
 
   NodeId node() const noexcept { return node_; }
   const MultiMesh& tree() const noexcept { return operations_.tree(); }

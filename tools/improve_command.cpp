@@ -35,7 +35,7 @@ struct ImproveArguments {
   ReportOptions report;
   std::vector<std::string> locked_patches;
   double feature_angle = 0;
-  ImproveOptions options;
+  DomainImproveOptions options;
   files::DomainReadOptions taken;
   SimplexFormat format;
   bool progress = false;

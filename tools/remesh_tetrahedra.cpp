@@ -14,6 +14,7 @@
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/algorithms/remesh_domain.hpp"
 #include "multimesh/files/formats.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/mesh_page.hpp"
@@ -36,10 +37,10 @@ void refuse_options(const RemeshArguments& a, bool tetrahedra) {
 }
 
 double diagonal(const TetDomain& domain) {
-  Eigen::AlignedBox3d box;
+  std::vector<Vec3> points;
   for (Index v = 0; v < domain.mesh().capacity(0); ++v)
-    if (domain.mesh().is_live(0, v)) box.extend(domain.points()[v]);
-  return box.diagonal().norm();
+    if (domain.mesh().is_live(0, v)) points.push_back(domain.points()[v]);
+  return bounding_box_diagonal(points);
 }
 
 DomainRemeshOptions options_of(const RemeshArguments& a, const files::DomainFile& file) {

@@ -77,8 +77,7 @@ void add_names(const std::vector<io::SimplexSoup::Group>& groups, Json& j) {
 /// TetGen takes the length as a volume; edges that are still longer are split here.
 void split_longer(TetDomain& domain, double length, const TetrahedralizeArguments& a) {
 #ifdef MULTIMESH_WITH_IMPROVE
-  if (length > 0)
-    split_long_edges(domain, length, {.time_limit = 60 * a.minutes, .lock_surface = a.lock_surface});
+  if (length > 0) split_long_edges(domain, length, {{.time_limit = 60 * a.minutes}, {}, a.lock_surface});
 #else
   (void)domain, (void)length, (void)a;
 #endif

@@ -7,12 +7,12 @@ namespace multimesh {
 
 namespace {
 
-ImproveOptions improvement(const DomainDecimateOptions& o, int passes) {
+/// With the surface as it is.
+ImproveOptions improvement(const TetDomain& domain, const DomainDecimateOptions& o, int passes) {
   ImproveOptions improving;
   improving.target_amips = o.target_amips;
   improving.max_passes = passes;
-  improving.lock_surface = true;
-  improving.locked_regions = o.locked_regions;
+  improving.confined = {{NodeId::root, Confined::fixed}, {*domain.surface(), Confined::fixed}};
   return improving;
 }
 
@@ -40,14 +40,15 @@ DomainDecimateResult decimate(TetDomain& domain, const DomainDecimateOptions& op
   DecimateOptions rounds = static_cast<const DecimateOptions&>(options);
   if (options.passes_between > 0)
     rounds.between_rounds = [&](std::span<Attribute* const> carried) {
-      ImproveOptions improving = improvement(options, options.passes_between);
+      ImproveOptions improving = improvement(domain, options, options.passes_between);
       improving.edge_length = longest_edge(domain);
       improving.carried.assign(carried.begin(), carried.end());
-      (void)improve(domain, improving);
+      (void)improve(embedding, NodeId::root, improving);
     };
   DomainDecimateResult r;
   r.surface = decimate(embedding, *domain.surface(), rounds);
-  if (options.passes_at_end > 0) r.tetrahedra = improve(domain, improvement(options, options.passes_at_end));
+  if (options.passes_at_end > 0)
+    r.tetrahedra = improve(embedding, NodeId::root, improvement(domain, options, options.passes_at_end));
   return r;
 }
 

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 
-#include "multimesh/domains/simplices_stay.hpp"
-
 namespace multimesh {
 
 void lock(Embedding& embedding, const TetDomain& domain, const DomainLocks& locks) {
   if (locks.locked_patches.empty() && locks.locked_regions.empty()) return;
-  embedding.add<SimplicesStay>("locked patches and regions stay", [&domain, locks](NodeId n, Index facet) {
+  embedding.keep("locked patches and regions stay", [&domain, locks](NodeId n, Index facet) {
     if (n == NodeId::root)
       return std::ranges::find(locks.locked_regions, domain.regions()[facet]) != locks.locked_regions.end();
     return n == domain.surface() &&

@@ -14,12 +14,13 @@ namespace {
 using Point = TetDomain::Point;
 
 struct Box {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity());
-  Point high = Point::Constant(-std::numeric_limits<double>::infinity());
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Point low{infinity, infinity, infinity}, high = -low;
   void add(const Point& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    low = min(low, p);
+    high = max(high, p);
   }
+  bool has(const Point& p) const { return min(p, low) == low && max(p, high) == high; }
 };
 
 /// Points in halves of halves, for the questions which of them lie in a box.
@@ -35,7 +36,7 @@ class PointTree {
   }
 
  private:
-  void arrange(std::size_t begin, std::size_t end, int axis) {
+  void arrange(std::size_t begin, std::size_t end, std::size_t axis) {
     if (end - begin < 2) return;
     const std::size_t middle = begin + (end - begin) / 2;
     const auto at = [&](std::size_t i) { return vertices_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -45,13 +46,13 @@ class PointTree {
     arrange(middle + 1, end, (axis + 1) % 3);
   }
   template <class Visit>
-  void search(const Box& box, std::size_t begin, std::size_t end, int axis, const Visit& visit) const {
+  void search(const Box& box, std::size_t begin, std::size_t end, std::size_t axis,
+              const Visit& visit) const {
     if (begin == end) return;
     const std::size_t middle = begin + (end - begin) / 2;
     const Point& p = points_[vertices_[middle]];
     if (box.low[axis] <= p[axis]) search(box, begin, middle, (axis + 1) % 3, visit);
-    if ((box.low.array() <= p.array()).all() && (p.array() <= box.high.array()).all())
-      visit(vertices_[middle]);
+    if (box.has(p)) visit(vertices_[middle]);
     if (p[axis] <= box.high[axis]) search(box, middle + 1, end, (axis + 1) % 3, visit);
   }
 
@@ -62,30 +63,29 @@ class PointTree {
 /// Whether p lies in the segment or the triangle but not at a corner of it.
 bool is_inside_edge(const Point& p, const Point& a, const Point& b, double tolerance) {
   const Point along = (b - a).normalized();
-  const double at = (p - a).dot(along);
+  const double at = dot(p - a, along);
   return at > tolerance && at < (b - a).norm() - tolerance && ((p - a) - at * along).norm() <= tolerance;
 }
 
 bool is_inside_face(const Point& p, const Point (&c)[3], double tolerance) {
   for (int i = 0; i < 3; ++i)
     if (is_inside_edge(p, c[i], c[(i + 1) % 3], tolerance)) return true;
-  const Point normal = (c[1] - c[0]).cross(c[2] - c[0]).stableNormalized();
-  if (std::abs((p - c[0]).dot(normal)) > tolerance) return false;
+  const Point normal = cross(c[1] - c[0], c[2] - c[0]).unit_or_zero();
+  if (std::abs(dot(p - c[0], normal)) > tolerance) return false;
   for (int i = 0; i < 3; ++i)
-    if ((c[(i + 1) % 3] - c[i]).cross(p - c[i]).dot(normal) <= 0) return false;
+    if (dot(cross(c[(i + 1) % 3] - c[i], p - c[i]), normal) <= 0) return false;
   return true;
 }
 
 }  // namespace
 
 std::vector<Index> hanging_points(const TaggedTetrahedra& in) {
-  std::vector<Point> points;
+  const std::vector<Point> points(in.points.begin(), in.points.end());
   Box all;
   double largest = 0;
-  for (const auto& p : in.points) {
-    points.emplace_back(p[0], p[1], p[2]);
-    all.add(points.back());
-    largest = std::max(largest, points.back().cwiseAbs().maxCoeff());
+  for (const Point& p : points) {
+    all.add(p);
+    for (const double x : p) largest = std::max(largest, std::abs(x));
   }
   const double tolerance = 1e-12 * (all.high - all.low).norm() + 1e-15 * largest;
   std::vector<std::array<Index, 3>> faces;
@@ -107,8 +107,9 @@ std::vector<Index> hanging_points(const TaggedTetrahedra& in) {
     const Point c[3] = {points[f[0]], points[f[1]], points[f[2]]};
     Box box;
     for (const Point& p : c) box.add(p);
-    box.low.array() -= tolerance;
-    box.high.array() += tolerance;
+    const Point margin{tolerance, tolerance, tolerance};
+    box.low -= margin;
+    box.high += margin;
     tree.visit_box(box, [&](Index v) {
       const bool at_corner =
           std::any_of(c, c + 3, [&](const Point& q) { return (points[v] - q).norm() <= tolerance; });

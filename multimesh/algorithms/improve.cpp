@@ -7,6 +7,7 @@
 
 #include "multimesh/algorithms/improvement/improver.hpp"
 #include "multimesh/algorithms/improvement/obstacles.hpp"
+#include "multimesh/embedding.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/geometry/tet_shape.hpp"
 
@@ -34,7 +35,7 @@ void check_input(const Workspace& work) {
     if (!work.is_live(t)) continue;
     const Corners c = work.corners(t);
     for (const Index v : c)
-      if (!work.point(v).allFinite())
+      if (!std::ranges::all_of(work.point(v), [](double x) { return std::isfinite(x); }))
         throw InputError("improve: point " + std::to_string(v) + " is not finite");
     if (work.quality_of(c) < std::numeric_limits<double>::infinity()) continue;
     throw InputError("improve: tetrahedron " + std::to_string(t) + " (points " + std::to_string(c[0]) + ", " +
@@ -164,11 +165,38 @@ class Run {
 }  // namespace
 }  // namespace improvement
 
-ImproveResult improve(TetDomain& domain, const ImproveOptions& options) {
+namespace {
+
+/// What a domain is improved as.
+struct LockedDomain {
+  Embedding embedding;
+  ImproveOptions options;
+
+  LockedDomain(TetDomain& domain, const DomainImproveOptions& o) : embedding(domain.embedding()), options(o) {
+    lock(embedding, domain, o);
+    if (!o.lock_surface) return;
+    options.confined.push_back({NodeId::root, Confined::fixed});
+    if (domain.surface()) options.confined.push_back({*domain.surface(), Confined::fixed});
+  }
+};
+
+}  // namespace
+
+ImproveResult improve(TetDomain& domain, const DomainImproveOptions& options) {
+  const LockedDomain locked(domain, options);
+  return improve(locked.embedding, NodeId::root, locked.options);
+}
+
+std::size_t split_long_edges(TetDomain& domain, double longest, const DomainImproveOptions& options) {
+  const LockedDomain locked(domain, options);
+  return split_long_edges(locked.embedding, NodeId::root, longest, locked.options);
+}
+
+ImproveResult improve(const Embedding& embedding, NodeId node, const ImproveOptions& options) {
   using namespace improvement;
   check_options(options);
   const auto start = std::chrono::steady_clock::now();
-  Improver improver(domain, options);
+  Improver improver(embedding, node, options);
   check_input(improver.work());
   ImproveResult result;
   result.before = measure(improver.work(), options.target_amips);
@@ -186,12 +214,13 @@ ImproveResult improve(TetDomain& domain, const ImproveOptions& options) {
   return result;
 }
 
-std::size_t split_long_edges(TetDomain& domain, double longest, const ImproveOptions& options) {
+std::size_t split_long_edges(const Embedding& embedding, NodeId node, double longest,
+                             const ImproveOptions& options) {
   using namespace improvement;
   check_options(options);
   if (!(longest > 0 && std::isfinite(longest)))
     throw InputError("split_long_edges: the length must be finite and greater than 0");
-  Improver improver(domain, options);
+  Improver improver(embedding, node, options);
   check_input(improver.work());
   return improver.split_longer(longest);
 }

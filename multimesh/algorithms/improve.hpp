@@ -8,11 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "multimesh/domains/tet_domain.hpp"
+#include "multimesh/algorithms/domain_locks.hpp"
 
 namespace multimesh {
 
 class Attribute;
+class Embedding;
 
 /// How edges of the surface and of curves may be split, at their middle, rounded to doubles.
 enum class SurfaceSplits {
@@ -20,6 +21,17 @@ enum class SurfaceSplits {
   exact,    ///< only where surface and curves stay the same sets of points, exactly
   rounded,  ///< also where the rounding displaces them, by at most half an ulp of each coordinate; faces and
             ///< curves that are flat up to a few ulps are then flat
+};
+
+/// What may become of a mesh inside the tetrahedra: of surfaces and curves.
+enum class Confined {
+  exact,  ///< it stays the same set of points: its vertices move only where it is flat, or straight
+  fixed,  ///< its vertices, edges and triangles stay the same ones
+};
+
+struct Confinement {
+  NodeId mesh;  ///< or that of the tetrahedra: what of their boundary is in no other mesh
+  Confined how = Confined::exact;
 };
 
 /// How far an improvement has come.
@@ -49,9 +61,8 @@ struct ImproveOptions {
 
   // --- what stays as it is, besides the places of surface and curves
   SurfaceSplits surface_splits = SurfaceSplits::rounded;
-  bool lock_surface = false;  ///< its vertices, edges and triangles stay the same ones, curves on it too
-  std::vector<TetDomain::Tag> locked_patches = {};  ///< so do those of triangles with these tags
-  std::vector<TetDomain::Tag> locked_regions = {};  ///< their tetrahedra are not touched
+  /// Meshes that are not listed are held exactly.
+  std::vector<Confinement> confined = {};
 
   /// Attributes of others that follow the operations.
   std::vector<Attribute*> carried = {};
@@ -59,6 +70,11 @@ struct ImproveOptions {
   /// Called after each pass and about once a second; may throw to abandon the run: then the domain is valid,
   /// with the improvements so far.
   std::function<void(const ImproveProgress&)> progress = {};
+};
+
+/// Of a TetDomain, by its tags.
+struct DomainImproveOptions : ImproveOptions, DomainLocks {
+  bool lock_surface = false;  ///< its vertices, edges and triangles stay the same ones, curves on it too
 };
 
 /// The AMIPS energies of a mesh.
@@ -113,22 +129,26 @@ struct ImproveResult {
   double seconds = 0;                          ///< by the wall clock
 };
 
-/// Improves the tetrahedra of a domain, worst first, by swaps of edges and faces, collapses, moves of
-/// vertices and splits, until all have an AMIPS energy of at most the target. An operation is done only if
-/// the worst of the tetrahedra it replaces gets better. Topology of all meshes is kept. Surface and curves
-/// stay what they are as sets of points, exactly but for rounded splits: their vertices move only where they
-/// lie in exactly flat, or straight, surroundings; locked vertices never do. Volumes of regions are thus
-/// kept, too. All tetrahedra stay of positive orientation, exactly. Deterministic. Cost: some microseconds
-/// per candidate. \throw InputError naming a tetrahedron that is inverted or flat, and for options out of
-/// range; nothing was changed then. Source: the loop, Klingner and Shewchuk, Aggressive tetrahedral mesh
-/// improvement (2007); the energy, Fu, Liu, Guo (2015), as in Hu et al., Tetrahedral meshing in the wild
-/// (2018), section 3.3
-ImproveResult improve(TetDomain& domain, const ImproveOptions& options = {});
+/// Improves the tetrahedra of a mesh of an embedding, wherever it is in the tree, worst first, by swaps of
+/// edges and faces, collapses, moves of vertices and splits, until all have an AMIPS energy of at most the
+/// target. An operation is done only if the worst of the tetrahedra it replaces gets better. Topology of all
+/// meshes is kept. Surface and curves stay what they are as sets of points, exactly but for rounded splits:
+/// their vertices move only where they lie in exactly flat, or straight, surroundings; locked vertices never
+/// do. Volumes of regions are thus kept, too. What has other preimages in this mesh, as the sides of a
+/// periodic tile, is not touched. All tetrahedra stay of positive orientation, exactly. Deterministic. Cost:
+/// some microseconds per candidate. \throw InputError naming a tetrahedron that is inverted or flat, and for
+/// options out of range; nothing was changed then. Source: the loop, Klingner and Shewchuk, Aggressive
+/// tetrahedral mesh improvement (2007); the energy, Fu, Liu, Guo (2015), as in Hu et al., Tetrahedral meshing
+/// in the wild (2018), section 3.3
+ImproveResult improve(const Embedding& embedding, NodeId node, const ImproveOptions& options = {});
+ImproveResult improve(TetDomain& domain, const DomainImproveOptions& options = {});
 
-/// Splits all edges of a domain that are longer than this at their middle, the longest ones first, whatever
-/// becomes of the quality; those of surface and curves, too, unless the options lock them or forbid to split
-/// them. Topology, surface, curves and volumes are kept as by improve(). Of the options, those about what
-/// stays, and the time limit, count. \return how many were split. \throw InputError as improve() does
-std::size_t split_long_edges(TetDomain& domain, double longest, const ImproveOptions& options = {});
+/// Splits all edges of the tetrahedra that are longer than this at their middle, the longest ones first,
+/// whatever becomes of the quality; those of surface and curves, too, unless the options lock them or forbid
+/// to split them. Topology, surface, curves and volumes are kept as by improve(). Of the options, those about
+/// what stays, and the time limit, count. \return how many were split. \throw InputError as improve() does
+std::size_t split_long_edges(const Embedding& embedding, NodeId node, double longest,
+                             const ImproveOptions& options = {});
+std::size_t split_long_edges(TetDomain& domain, double longest, const DomainImproveOptions& options = {});
 
 }  // namespace multimesh

@@ -5,12 +5,12 @@ namespace multimesh {
 
 namespace {
 
-ImproveOptions of_tetrahedra(const DomainRemeshOptions& o, int passes) {
+/// With the surface as it is.
+ImproveOptions of_tetrahedra(const TetDomain& domain, const DomainRemeshOptions& o, int passes) {
   ImproveOptions improving;
   improving.target_amips = o.target_amips;
   improving.max_passes = passes;
-  improving.lock_surface = true;
-  improving.locked_regions = o.locked_regions;
+  improving.confined = {{NodeId::root, Confined::fixed}, {*domain.surface(), Confined::fixed}};
   return improving;
 }
 
@@ -22,13 +22,13 @@ DomainRemeshResult remesh(TetDomain& domain, const DomainRemeshOptions& options)
   lock(embedding, domain, options);
   RemeshOptions rounds = static_cast<const RemeshOptions&>(options);
   rounds.between_rounds = [&](int, std::span<Attribute* const> carried) {
-    ImproveOptions improving = of_tetrahedra(options, options.passes_between);
+    ImproveOptions improving = of_tetrahedra(domain, options, options.passes_between);
     improving.carried.assign(carried.begin(), carried.end());
-    (void)improve(domain, improving);
+    (void)improve(embedding, NodeId::root, improving);
   };
   DomainRemeshResult r;
   r.surface = remesh(embedding, *domain.surface(), rounds);
-  r.tetrahedra = improve(domain, of_tetrahedra(options, options.passes_at_end));
+  r.tetrahedra = improve(embedding, NodeId::root, of_tetrahedra(domain, options, options.passes_at_end));
   return r;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "multimesh/column.hpp"
-#include "multimesh/tree_strata.hpp"
+#include "multimesh/strata.hpp"
 
 namespace multimesh {
 
@@ -18,7 +18,7 @@ namespace {
 /// neighbours.
 class Rules {
  public:
-  Rules(const EmbeddedMesh& surface, Coordinates& at, TreeStrata& strata, Subdivision scheme)
+  Rules(const EmbeddedMesh& surface, Coordinates& at, Strata& strata, Subdivision scheme)
       : tree_(surface.tree()),
         surface_(surface.node()),
         mesh_(tree_.mesh(at.node())),
@@ -45,7 +45,7 @@ class Rules {
   NodeId surface_;
   const Mesh& mesh_;
   Coordinates& at_;
-  TreeStrata& strata_;
+  Strata& strata_;
   Subdivision scheme_;
   DartBuffer edges_;
 };
@@ -119,7 +119,7 @@ class Subdivider {
   const MultiMesh& tree_;
   NodeId node_;
   const Mesh& mesh_;
-  TreeStrata strata_;
+  Strata strata_;
   std::vector<Index> source_;  // per triangle: the original of which it is part
   Column<Index> source_column_;
   std::vector<Rules> rules_;

@@ -68,7 +68,7 @@ class Faces {
     const Index v[3] = {vertex_of(c[0]), vertex_of(c[1]), vertex_of(c[2])};
     ++out_.boundary_faces;
     out_.boundary_area +=
-        (point(in_, v[1]) - point(in_, v[0])).cross(point(in_, v[2]) - point(in_, v[0])).norm() / 2;
+        cross(point(in_, v[1]) - point(in_, v[0]), point(in_, v[2]) - point(in_, v[0])).norm() / 2;
     for (int i = 0; i < 3; ++i) {
       on_rim_[v[i]] = true;
       rims_.join(v[0], v[i]);

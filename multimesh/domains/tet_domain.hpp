@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "multimesh/geometry/vector.hpp"
 #include "multimesh/multi_mesh.hpp"
 #include "multimesh/tet/tet_mesh.hpp"
 
@@ -77,7 +77,7 @@ struct TetDomainReport {
 /// they are to be joined again.
 class TetDomain {
  public:
-  using Point = Eigen::Vector3d;
+  using Point = Vec3;
   using Tag = TaggedTetrahedra::Tag;
 
   /// \throw InputError naming the element for indices out of range, a repeated vertex, lists of the wrong

@@ -6,7 +6,7 @@
 
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/embedding.hpp"
-#include "multimesh/tree_strata.hpp"
+#include "multimesh/strata.hpp"
 #include "multimesh/validate.hpp"
 #include "test/domain/box.hpp"
 
@@ -64,7 +64,7 @@ TEST(FixedPoints, NeedNoLock) {
 TEST(FixedPoints, OfASurfaceAreNotFree) {
   const TaggedTetrahedra in = box_with_points();
   const TetDomain d(in);
-  TreeStrata strata(d.tree(), *d.surface());
+  Strata strata(d.tree(), *d.surface());
   const Mesh& surface = d.tree().mesh(*d.surface());
   std::size_t held = 0;
   for (Index v = 0; v < surface.capacity(0); ++v) {

@@ -166,7 +166,7 @@ TEST(TetDomain, WritesBoundaryTrianglesOutwards) {
       return TetDomain::Point(q[0], q[1], q[2]);
     };
     const TetDomain::Point u = point(1) - point(0), v = point(2) - point(0);
-    const double normal_z = u.x() * v.y() - u.y() * v.x();
+    const double normal_z = u[0] * v[1] - u[1] * v[0];
     EXPECT_EQ(normal_z > 0, out.patches[f] == 2) << "up at the top, down at the bottom";
   }
 }

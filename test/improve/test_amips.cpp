@@ -28,7 +28,9 @@ class Random {
 double by_jacobian(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   Eigen::Matrix3d regular, edges;
   regular << 1, 0.5, 0.5, 0, std::sqrt(3) / 2, std::sqrt(3) / 6, 0, 0, std::sqrt(2.0 / 3);
-  edges << b - a, c - a, d - a;
+  for (int i = 0; i < 3; ++i)
+    edges.row(i) << b[std::size_t(i)] - a[std::size_t(i)], c[std::size_t(i)] - a[std::size_t(i)],
+        d[std::size_t(i)] - a[std::size_t(i)];
   const Eigen::Matrix3d j = edges * regular.inverse();
   return (j.transpose() * j).trace() / std::pow(j.determinant(), 2.0 / 3);
 }
@@ -92,7 +94,7 @@ TEST(Amips, IsInfiniteForFlatAndInverted) {
   EXPECT_EQ(amips(a, b, c, e), INFINITY);
   EXPECT_EQ(amips(a, a, a, a), INFINITY);
   EXPECT_EQ(cubed_amips_derivatives(a, b, c, e).value, INFINITY);
-  EXPECT_EQ(cubed_amips_derivatives(a, b, c, e).gradient, Vec3(0, 0, 0));
+  EXPECT_EQ(cubed_amips_derivatives(a, b, c, e).gradient, Eigen::Vector3d(0, 0, 0));
 }
 
 TEST(Amips, GradientAndHessianAreThoseOfFiniteDifferences) {
@@ -105,7 +107,8 @@ TEST(Amips, GradientAndHessianAreThoseOfFiniteDifferences) {
     ++tested;
     const double h = 1e-5;
     for (int k = 0; k < 3; ++k) {
-      const Vec3 step = h * Vec3::Unit(k);
+      Vec3 step{};
+      step[std::size_t(k)] = h;
       const AmipsDerivatives ahead = cubed_amips_derivatives(a + step, b, c, d);
       const AmipsDerivatives behind = cubed_amips_derivatives(a - step, b, c, d);
       const double size = 1 + f.hessian.norm();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "multimesh/algorithms/improvement/amips.hpp"
 #include "multimesh/algorithms/improvement/bounds.hpp"
 
 namespace multimesh::improvement {
@@ -35,7 +35,7 @@ TEST(Bounds, NoTetrahedronOverATriangleIsBetterAndOneAttainsIt) {
       const Vec3 d(4 * number(random) - 2, 4 * number(random) - 2, 2 * number(random));
       EXPECT_GE(amips(a, b, c, d), bound * (1 - 1e-12));
     }
-    const double squares = b.squaredNorm() + c.squaredNorm() + (b - c).squaredNorm();
+    const double squares = b.squared_norm() + c.squared_norm() + (b - c).squared_norm();
     const Vec3 best = (a + b + c) / 3 + Vec3(0, 0, std::sqrt(2 * squares / 9));
     EXPECT_NEAR(amips(a, b, c, best), bound, 1e-9 * bound);
   }

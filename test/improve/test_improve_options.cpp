@@ -35,7 +35,7 @@ std::vector<double> edge_lengths(const TetDomain& domain) {
 TEST(ImproveOptions, RefinesToAnEdgeLength) {
   TetDomain domain(make_box({.n = 2, .squash = 0.5}).input);
   const Kept kept(domain);
-  const ImproveResult r = improve(domain, {.edge_length = 0.2});
+  const ImproveResult r = improve(domain, {{.edge_length = 0.2}});
   EXPECT_TRUE(r.target_reached) << r.after.max_amips;
   const std::vector<double> lengths = edge_lengths(domain);
   EXPECT_LE(lengths[lengths.size() * 9 / 10], 0.2 * 4 / 3 + 1e-12);
@@ -61,7 +61,7 @@ TEST(SplitLongEdges, LeavesWhatIsLocked) {
   const Box box = make_box({.n = 2, .squash = 0.5});
   TetDomain domain(box.input);
   const Kept kept(domain);
-  EXPECT_GT(split_long_edges(domain, 0.4, {.lock_surface = true}), 0U);
+  EXPECT_GT(split_long_edges(domain, 0.4, {{}, {}, true}), 0U);
   EXPECT_EQ(domain.tagged().triangles.size(), box.input.triangles.size());
   EXPECT_EQ(kept.fault(domain), "");
   EXPECT_THROW(split_long_edges(domain, 0), InputError);
@@ -70,7 +70,7 @@ TEST(SplitLongEdges, LeavesWhatIsLocked) {
 TEST(ImproveOptions, CoarsensToAnEdgeLength) {
   TetDomain domain(make_box({.n = 8, .sheet = false, .regions = false, .curve = false, .squash = 0.5}).input);
   const Kept kept(domain);
-  const ImproveResult r = improve(domain, {.edge_length = 0.4});
+  const ImproveResult r = improve(domain, {{.edge_length = 0.4}});
   EXPECT_TRUE(r.target_reached) << r.after.max_amips;
   EXPECT_LT(r.after.tets, r.before.tets / 3);
   EXPECT_EQ(kept.fault(domain), "");
@@ -78,7 +78,7 @@ TEST(ImproveOptions, CoarsensToAnEdgeLength) {
 
 TEST(ImproveOptions, DoesNotSplitBelowTheLeastLength) {
   TetDomain domain(make_box({.squash = 0.9999}).input);
-  ImproveOptions options;
+  DomainImproveOptions options;
   options.min_edge_length = 10;
   options.target_amips = 4;
   options.max_passes = 3;
@@ -102,7 +102,7 @@ TEST(ImproveOptions, LockedRegionsAreNotTouched) {
   };
   TetDomain domain(box.input);
   const Kept kept(domain);
-  ImproveOptions options;
+  DomainImproveOptions options;
   options.locked_regions = {2};
   options.max_passes = 3;
   const ImproveResult r = improve(domain, options);
@@ -128,7 +128,7 @@ std::set<std::set<std::array<double, 3>>> triangles_of(const TaggedTetrahedra& t
 
 TEST(ImproveOptions, LockedPatchesAndSurfacesKeepTheirTriangles) {
   const Box box = make_box({.squash = 0.9999});
-  ImproveOptions options;
+  DomainImproveOptions options;
   options.edge_length = 0.16;
   options.max_passes = 1;
   TetDomain free(box.input);
@@ -155,7 +155,7 @@ TEST(ImproveOptions, RequiredSimplicesStay) {
   for (std::size_t f = 0; f < box.input.triangles.size(); ++f)
     if (box.input.patches[f] == 3) box.input.triangle_flags[f] = required_simplex;
   TetDomain domain(box.input);
-  ImproveOptions options;
+  DomainImproveOptions options;
   options.edge_length = 0.16;
   options.max_passes = 1;
   improve(domain, options);
@@ -175,10 +175,10 @@ TEST(ImproveOptions, TimeAndGrowthEndARun) {
   const Box box = make_box({.squash = 0.9999});
   TetDomain domain(box.input);
   const Kept kept(domain);
-  const ImproveResult late = improve(domain, {.target_amips = 3.1, .time_limit = 1e-9});
+  const ImproveResult late = improve(domain, {{.target_amips = 3.1, .time_limit = 1e-9}});
   EXPECT_EQ(late.stop, ImproveStop::time_limit);
   EXPECT_EQ(kept.fault(domain), "");
-  const ImproveResult full = improve(domain, {.target_amips = 4, .max_passes = 3, .max_growth = 1.5});
+  const ImproveResult full = improve(domain, {{.target_amips = 4, .max_passes = 3, .max_growth = 1.5}});
   EXPECT_LT(full.after.tets, 1000U);
   EXPECT_EQ(kept.fault(domain), "");
 }
@@ -187,7 +187,7 @@ TEST(ImproveOptions, LengthAndEnergyAreBothReachedOrMeasured) {
   for (const double target : {4.0, 10.0}) {
     TetDomain domain(make_box({.n = 2, .squash = 0.5}).input);
     const Kept kept(domain);
-    const ImproveResult r = improve(domain, {.target_amips = target, .max_passes = 2, .edge_length = 0.25});
+    const ImproveResult r = improve(domain, {{.target_amips = target, .max_passes = 2, .edge_length = 0.25}});
     const std::vector<double> lengths = edge_lengths(domain);
     EXPECT_DOUBLE_EQ(r.lengths.longest, lengths.back());
     EXPECT_DOUBLE_EQ(r.lengths.shortest, lengths.front());
@@ -204,7 +204,7 @@ TEST(ImproveOptions, KeepsRegionsAndTheBoundaryThatAreInNoSurface) {
   TetDomain domain(box.input, {.boundary = false, .interfaces = false});
   ASSERT_FALSE(domain.surface());
   const Kept kept(domain);
-  const ImproveResult r = improve(domain, {.target_amips = 5, .max_passes = 3});
+  const ImproveResult r = improve(domain, {{.target_amips = 5, .max_passes = 3}});
   EXPECT_LT(r.after.max_amips, r.before.max_amips);
   EXPECT_EQ(kept.fault(domain), "");
 }
@@ -223,7 +223,7 @@ TEST(ImproveOptions, EndsByItselfNearTheBoundWhereTheTargetIsImpossible) {
     prism.tets.vertices = 6;
     TetDomain domain(prism);
     const Kept kept(domain);
-    const ImproveResult r = improve(domain, {.max_passes = 1000});
+    const ImproveResult r = improve(domain, {{.max_passes = 1000}});
     EXPECT_GT(r.least_max_amips, 10);
     EXPECT_LE(r.after.max_amips, 1.25 * r.least_max_amips) << height;
     EXPECT_LE(r.after.tets, 5500U) << height;
@@ -234,7 +234,7 @@ TEST(ImproveOptions, EndsByItselfNearTheBoundWhereTheTargetIsImpossible) {
 TEST(ImproveOptions, NoPassesMeansNoChange) {
   TetDomain domain(make_box({.squash = 0.999}).input);
   const TaggedTetrahedra before = domain.tagged();
-  const ImproveResult r = improve(domain, {.max_passes = 0});
+  const ImproveResult r = improve(domain, {{.max_passes = 0}});
   EXPECT_FALSE(r.target_reached);
   EXPECT_EQ(r.before.max_amips, r.after.max_amips);
   EXPECT_EQ(domain.tagged().points, before.points);
@@ -243,7 +243,7 @@ TEST(ImproveOptions, NoPassesMeansNoChange) {
 TEST(ImproveOptions, ProgressMayAbandonTheRun) {
   TetDomain domain(make_box({.squash = 0.999}).input);
   const Kept kept(domain);
-  ImproveOptions options;
+  DomainImproveOptions options;
   int calls = 0;
   options.progress = [&](const ImproveProgress& p) {
     EXPECT_EQ(p.pass, ++calls);

@@ -56,7 +56,7 @@ TEST(ImproveSurface, StaysInItsPlanesExactly) {
       const Box box = make_box(options);
       TetDomain domain(box.input);
       const Kept kept(domain);
-      ImproveOptions improve_options;
+      DomainImproveOptions improve_options;
       improve_options.target_amips = 5;  // hard: the surface has to be worked on
       improve_options.max_passes = 4;
       improve_options.surface_splits = SurfaceSplits::exact;
@@ -107,7 +107,7 @@ TEST(ImproveSurface, IsNotSplitIfThatIsForbidden) {
   const Box box = make_box(options);
   TetDomain domain(box.input);
   const Kept kept(domain);
-  ImproveOptions improve_options;
+  DomainImproveOptions improve_options;
   improve_options.target_amips = 4;
   improve_options.max_passes = 3;
   improve_options.surface_splits = SurfaceSplits::none;
@@ -132,7 +132,7 @@ TEST(ImproveSurface, OfACurvedSurfaceKeepsItsVertices) {
   TetDomain domain(box.input);
   ASSERT_TRUE(test::all_positive(domain));
   const Kept kept(domain);
-  ImproveOptions improve_options;
+  DomainImproveOptions improve_options;
   improve_options.surface_splits = SurfaceSplits::none;
   const ImproveResult r = improve(domain, improve_options);
   EXPECT_TRUE(r.target_reached) << r.after.max_amips;
@@ -150,7 +150,7 @@ TEST(ImproveSurface, LockedPointsKeepTheirPlaces) {
   for (Index v = 0; v < box.input.points.size(); v += 3) box.input.fixed.push_back(v);
   TetDomain domain(box.input);
   const Kept kept(domain);
-  improve(domain, {.target_amips = 5, .max_passes = 3});
+  improve(domain, {{.target_amips = 5, .max_passes = 3}});
   const TaggedTetrahedra after = domain.tagged();
   for (const Index v : box.input.fixed)
     EXPECT_NE(std::find(after.points.begin(), after.points.end(), box.input.points[v]), after.points.end());
@@ -165,7 +165,7 @@ TEST(ImproveSurface, SaysWhatItForces) {
   t.tets.corners = {0, 2, 3, 1};
   t.tets.vertices = 4;
   TetDomain domain(t);
-  ImproveOptions options;
+  DomainImproveOptions options;
   options.max_passes = 3;
   const ImproveResult r = improve(domain, options);
   EXPECT_FALSE(r.target_reached);

@@ -45,7 +45,7 @@ Candidate random_candidate(Workspace& work, Candidates& candidates, std::mt19937
   const int i = static_cast<int>(random() % 4),
             j = static_cast<int>((i + 1 + static_cast<int>(random() % 3)) % 4);
   Candidate c;
-  const Dart e = Workspace::edge(t, i, j);
+  const Dart e = work.edge(t, i, j);
   switch (random() % 6) {
     case 0:
       candidates.split(e, demand, c);
@@ -74,7 +74,8 @@ TEST(Operations, InAStormKeepEverything) {
     if (seed % 2 == 0) options.map << 2, 1, 0, -1, 2, 1, 1, 0, 3;
     TetDomain domain(make_box(options).input);
     const Kept kept(domain);
-    Workspace work(domain, {});
+    const Embedding embedding = domain.embedding();
+    Workspace work(embedding, NodeId::root, {});
     Counts counts{};
     Refusals refusals(1);
     Candidates candidates(work, counts, refusals);
@@ -109,7 +110,8 @@ std::map<Index, std::set<Index>> numbered(const Workspace& work) {
 // What remembers tetrahedra by their numbers relies on this.
 TEST(Operations, OfFacesRenumberAroundTheFirstTwoCornersOnly) {
   TetDomain domain(make_box({.squash = 0.9}).input);
-  Workspace work(domain, {});
+  const Embedding embedding = domain.embedding();
+  Workspace work(embedding, NodeId::root, {});
   Counts counts{};
   Refusals refusals(1);
   Candidates candidates(work, counts, refusals);
@@ -119,7 +121,7 @@ TEST(Operations, OfFacesRenumberAroundTheFirstTwoCornersOnly) {
     Candidate c;
     Demand any;
     any.enough = flat;
-    candidates.face_swap(tet::TetMesh::dart(t, {}), any, c);
+    candidates.face_swap(work.dart(t), any, c);
     if (!c) continue;
     const std::map<Index, std::set<Index>> before = numbered(work);
     Index face[4];
@@ -139,7 +141,8 @@ TEST(Operations, OfFacesRenumberAroundTheFirstTwoCornersOnly) {
 
 TEST(Operations, GiveWhatWasPredicted) {
   TetDomain domain(make_box({.squash = 0.9}).input);
-  Workspace work(domain, {});
+  const Embedding embedding = domain.embedding();
+  Workspace work(embedding, NodeId::root, {});
   Counts counts{};
   Refusals refusals(1);
   Candidates candidates(work, counts, refusals);
@@ -176,7 +179,8 @@ TEST(Operations, GiveWhatWasPredicted) {
 
 TEST(Operations, TrialsAreUndone) {
   TetDomain domain(make_box({.squash = 0.9}).input);
-  Workspace work(domain, {});
+  const Embedding embedding = domain.embedding();
+  Workspace work(embedding, NodeId::root, {});
   Counts counts{};
   Refusals refusals(1);
   Candidates candidates(work, counts, refusals);

@@ -24,7 +24,7 @@ TEST(PinchedSolids, StayWhatTheyAreWhenJoinedAgain) {
     TetDomain domain(list);
     with_copies += domain.report().copied_vertices > 0;
     std::mt19937 random(seed);
-    ImproveOptions options;
+    DomainImproveOptions options;
     options.target_amips = 4 + static_cast<double>(random() % 7);
     if (random() % 2) options.edge_length = 0.5 + static_cast<double>(random() % 100) / 150;
     options.max_passes = 2;

@@ -29,7 +29,7 @@ TEST(Smoothing, FindsTheMiddleOfAnOctahedron) {
   for (int i = 0; i < 50; ++i) {
     Vec3 start;
     for (int k = 0; k < 3; ++k) start[k] = 0.6 * (static_cast<double>(random()) / 0x1p32 - 0.5);
-    EXPECT_LT(best_place(start, faces).norm(), 1e-2) << start.transpose();
+    EXPECT_LT(best_place(start, faces).norm(), 1e-2) << start[0] << ' ' << start[1] << ' ' << start[2];
   }
 }
 

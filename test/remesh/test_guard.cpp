@@ -40,7 +40,7 @@ class Pyramid : public testing::Test {
 };
 
 TEST_F(Pyramid, TheTipMayNotGoFarFromWhereItWas) {
-  TreeStrata strata(*tree_.tree);
+  Strata strata(*tree_.tree);
   std::vector<Index> patch(root().capacity(2)), line(root().capacity(1));
   const Reference input(*surface_, strata, patch, line);
   DistanceGuard guard(root(), positions(), input, 0.2, 0.5);
@@ -60,7 +60,7 @@ TEST_F(Pyramid, TheTipMayNotGoFarFromWhereItWas) {
 }
 
 TEST_F(Pyramid, PlacesAreOnThePatchThatLooksTheSameWay) {
-  TreeStrata strata(*tree_.tree);
+  Strata strata(*tree_.tree);
   std::vector<Index> patch(root().capacity(2)), line(root().capacity(1));
   const Reference input(*surface_, strata, patch, line);
   const auto above = input.on_patch(patch[0], {0, 0, 3}, {0, 0, 1}, 0.1);

@@ -23,7 +23,7 @@ TEST(LineNumbers, StayWithTheirLines) {
     remeshing::Remesher remesher(surface, options);
     const auto result = remesher.run();
     EXPECT_GT(result.moves, 0U);
-    TreeStrata strata(attached.tree());
+    Strata strata(attached.tree());
     const Mesh& root = attached.tree().mesh(NodeId::root);
     std::size_t wrong = 0, lines = 0;
     for (Index e = 0; e < root.capacity(1); ++e) {

@@ -2,7 +2,7 @@
 // Where vertices may go, by the maps of a tree.
 #include <gtest/gtest.h>
 
-#include "multimesh/tree_strata.hpp"
+#include "multimesh/strata.hpp"
 #include "test/support/trees.hpp"
 
 namespace multimesh::test {
@@ -27,7 +27,7 @@ class OnAGrid : public testing::Test {
     });
   }
   Freedom freedom(Index v) {
-    return TreeStrata(*tree_.tree).freedom(tree_.tree->mesh(NodeId::root).dart_of(0, v));
+    return Strata(*tree_.tree).freedom(tree_.tree->mesh(NodeId::root).dart_of(0, v));
   }
 
   Tree tree_;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "multimesh/tree_strata.hpp"
+#include "multimesh/strata.hpp"
 
 namespace multimesh::decimation {
 
@@ -61,7 +61,7 @@ std::vector<bool> Strata::special_vertices(const std::vector<Index>& curves) con
 }
 
 void Strata::rank_vertices(const std::vector<Index>& curves) {
-  TreeStrata strata(tree_, surface_.node());
+  multimesh::Strata strata(tree_, surface_.node());
   const std::vector<bool> special = special_vertices(curves);
   strata.trust(curves);
   for (Index v = 0; v < mesh_.capacity(0); ++v) {

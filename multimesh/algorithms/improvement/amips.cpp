@@ -14,14 +14,21 @@ namespace multimesh::improvement {
 
 namespace {
 
+using Vector = Eigen::Vector3d;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Terms {
-  Vec3 u, v, w;   // b-a, c-a, d-a in units of `scale`
-  double scale;   // a power of two, so that scaling is exact
-  double n, det;  // N, and the determinant; of u, v, w
+Eigen::Map<const Vector> eigen(const Vec3& v) {
+  return Eigen::Map<const Vector>(v.data());
+}
 
-  Terms(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) : u(b - a), v(c - a), w(d - a) {
+struct Terms {
+  Vector u, v, w;  // b-a, c-a, d-a in units of `scale`
+  double scale;    // a power of two, so that scaling is exact
+  double n, det;   // N, and the determinant; of u, v, w
+
+  Terms(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+      : u(eigen(b) - eigen(a)), v(eigen(c) - eigen(a)), w(eigen(d) - eigen(a)) {
     const double longest =
         std::max({u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff(), w.cwiseAbs().maxCoeff()});
     scale = 1;
@@ -34,7 +41,7 @@ struct Terms {
 
   void rescale(double longest) {
     const int e = std::ilogb(longest);
-    for (Vec3* x : {&u, &v, &w})
+    for (Vector* x : {&u, &v, &w})
       for (double& coordinate : *x) coordinate = std::scalbn(coordinate, -e);
     scale = std::scalbn(1.0, e);
   }
@@ -62,9 +69,9 @@ AmipsDerivatives cubed_amips_derivatives(const Vec3& a, const Vec3& b, const Vec
   if (!(t.det > 0)) return out;
   const double e = t.n * t.n * t.n / (2 * t.det * t.det);
   if (!std::isfinite(e)) return out;
-  const Vec3 g = -(t.v.cross(t.w) + t.w.cross(t.u) + t.u.cross(t.v)) / t.det;
-  const Vec3 m = -(t.u + t.v + t.w) / t.n;
-  const Vec3 p = 3 * m - 2 * g;
+  const Vector g = -(t.v.cross(t.w) + t.w.cross(t.u) + t.u.cross(t.v)) / t.det;
+  const Vector m = -(t.u + t.v + t.w) / t.n;
+  const Vector p = 3 * m - 2 * g;
   out.value = e;
   out.gradient = (e / t.scale) * p;
   out.hessian = e / (t.scale * t.scale) *

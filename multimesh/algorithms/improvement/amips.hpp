@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
+
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::improvement {
-
-using Vec3 = Eigen::Vector3d;
 
 /// The AMIPS energy of a tetrahedron, tr(J^T J) / det(J)^(2/3), where J takes the regular tetrahedron to it:
 /// 3 at best, +infinity if it is inverted or flat in floating point. Invariant under similarities and
@@ -24,8 +24,8 @@ inline constexpr double certainly_positive = 1e18;
 /// The cubed energy with its derivatives with respect to a, the other corners being held.
 struct AmipsDerivatives {
   double value = 0;
-  Vec3 gradient = Vec3::Zero();                       ///< per unit of length
-  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();  ///< per unit of length squared; symmetric
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< per unit of length
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();   ///< per unit of length squared; symmetric
 };
 
 /// \return value +infinity and derivatives of zero if the tetrahedron is inverted or flat in floating point

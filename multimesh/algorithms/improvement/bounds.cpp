@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/improvement/bounds.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,8 +19,8 @@ double two_thirds(double x) {
 // The free corner lies above the centroid, which minimizes the sum of the squared distances at each height h;
 // that is S/3 + 3 h^2, and h^2 = 2 S / 9 minimizes the energy.
 double least_amips_over(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-  const double area = (b - a).cross(c - a).norm() / 2;
+  const double squares = (b - a).squared_norm() + (c - b).squared_norm() + (a - c).squared_norm();
+  const double area = cross(b - a, c - a).norm() / 2;
   return area > 0 ? two_thirds(0.75 * squares / area) : std::numeric_limits<double>::infinity();
 }
 

@@ -28,8 +28,9 @@ double Candidates::star_quality(const std::vector<Corners>& star) const {
 
 /// The vertices of an edge in a fixed order.
 std::pair<Index, Index> Candidates::ends(Dart e) const {
-  const Index a = work_.mesh().vertex(e), b = work_.mesh().vertex(work_.mesh().reorder(e, exchange_ends));
-  return std::minmax({a, b});
+  Index v[4];
+  work_.mesh().vertices(e, v);
+  return std::minmax({v[0], v[1]});
 }
 
 bool Candidates::read_place(Dart v, const Demand& demand) {
@@ -53,13 +54,14 @@ void Candidates::read_star_at(Dart v) {
 // --- edges ---------------------------------------------------------------------------------------------
 
 void Candidates::read_edge_state(const Ring& ring) {
-  const Held& held = work_.held();
-  edge_.curve = held.curve(ring.darts.front());
-  edge_.locked = held.is_locked_edge(ring.darts.front());
-  for (const Dart d : ring.darts) edge_.locked = edge_.locked || held.is_locked_tet(tet::TetMesh::tet(d));
-  work_.read_held_faces(ring, edge_.faces);
+  const Strata& strata = work_.strata();
+  edge_.curve = strata.is_curve(ring.darts.front());
+  edge_.locked = strata.edge_stays(ring.darts.front());
+  if (strata.may_facets_stay())
+    for (const Dart d : ring.darts) edge_.locked = edge_.locked || strata.facet_stays(work_.tet(d));
+  work_.read_walls(ring, edge_.faces);
   for (const std::size_t i : edge_.faces)
-    edge_.locked = edge_.locked || held.is_locked_face(work_.face_at(ring, i));
+    edge_.locked = edge_.locked || strata.wall_stays(work_.face_at(ring, i));
 }
 
 // The fan from rim[apex]; of a closed ring without the two tetrahedra at the apex, of an open one without
@@ -113,7 +115,7 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
     return refuse_worse(Kind::edge_swap, least);
   }
   const Dart d = work_.face_at(ring_, apex);
-  best = {Kind::edge_swap, d, before, limit, Vec3::Zero(), 0, !ring_.closed, surface};
+  best = {Kind::edge_swap, d, before, limit, Vec3{}, 0, !ring_.closed, surface};
 }
 
 bool Candidates::may_split_held(const Vec3& middle, HeldSplits splits) const {
@@ -150,8 +152,8 @@ void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
   }
   if (!edge_.is_free() && !may_split_held(middle, demand.held_splits)) return refuse(Kind::split, Why::held);
   std::uint8_t strata = 0;
-  if (!edge_.faces.empty()) strata |= Held::on_face;
-  if (edge_.curve) strata |= Held::on_curve;
+  if (!edge_.faces.empty()) strata |= Strata::on_face;
+  if (edge_.curve) strata |= Strata::on_curve;
   best = {Kind::split, ring_.darts.front(), before, after, place, strata, false, strata != 0};
 }
 
@@ -166,13 +168,14 @@ double Candidates::merged_quality(Index b, double limit) const {
 }
 
 void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
-  const tet::TetMesh& mesh = work_.mesh();
-  const Index a = mesh.vertex(e), b = mesh.vertex(mesh.reorder(e, exchange_ends));
+  Index v[4];
+  work_.mesh().vertices(e, v);
+  const Index a = v[0], b = v[1];
   if (is_refused_already(Kind::collapse, a, b, demand)) return;
-  const bool is_free = work_.held().is_free(a);
+  const bool is_free = work_.strata().is_free(a);
   // A vertex of the surface goes along the surface only, one of a curve along the curve.
-  if (!is_free && (work_.held().is_fixed(a) || (demand.remember && refusals_.knows_held(a)) ||
-                   (work_.held().strata(a) & ~work_.held().strata(b) & ~Held::fixed)))
+  if (!is_free && (work_.strata().is_fixed(a) || (demand.remember && refusals_.knows_held(a)) ||
+                   (work_.strata().of(a) & ~work_.strata().of(b) & ~Strata::fixed)))
     return refuse(Kind::collapse, Why::held);
   read_star_at(e);
   const double before = star_quality_;
@@ -189,17 +192,17 @@ void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
     note(Kind::collapse, a, b, demand);
     return refuse(Kind::collapse, Why::held);
   }
-  best = {Kind::collapse, e, before, after, Vec3::Zero(), 0, false, !is_free};
+  best = {Kind::collapse, e, before, after, Vec3{}, 0, false, !is_free};
 }
 
 // --- faces ---------------------------------------------------------------------------------------------
 
 void Candidates::face_swap(Dart f, const Demand& demand, Candidate& best) {
   tried(Kind::face_swap);
-  const tet::TetMesh& mesh = work_.mesh();
-  const Index t = tet::TetMesh::tet(f);
+  const Mesh& mesh = work_.mesh();
+  const Index t = work_.tet(f);
   const Dart beyond = mesh.switch_dart(f, 3);
-  if (beyond == no_dart || work_.held().face(f) || work_.held().is_locked_tet(t))
+  if (beyond == no_dart || work_.strata().is_wall(f) || work_.strata().facet_stays(t))
     return refuse(Kind::face_swap, Why::held);
   Index c[4], other[4];
   mesh.vertices(f, c);
@@ -207,7 +210,7 @@ void Candidates::face_swap(Dart f, const Demand& demand, Candidate& best) {
   const Index w = c[3], v = other[3];
   // (x,y,z,w) of positive orientation.
   Index x = c[0], y = c[1];
-  const double here = work_.quality_of(t), there = work_.quality_of(tet::TetMesh::tet(beyond));
+  const double here = work_.quality_of(t), there = work_.quality_of(work_.tet(beyond));
   if (orient3d(point(x).data(), point(y).data(), point(c[2]).data(), point(w).data()) < 0) std::swap(x, y);
   const double before = std::max(here, there);
   const double limit = std::min(demand.limit(before), best.after);
@@ -217,7 +220,7 @@ void Candidates::face_swap(Dart f, const Demand& demand, Candidate& best) {
     after = std::max(after, work_.quality_of(Corners{p, q, v, w}, limit));
     if (after >= limit) return refuse_worse(Kind::face_swap, after);
   }
-  best = {Kind::face_swap, f, before, after, Vec3::Zero(), 0, false, false};
+  best = {Kind::face_swap, f, before, after, Vec3{}, 0, false, false};
 }
 
 // --- vertices ------------------------------------------------------------------------------------------
@@ -230,7 +233,7 @@ void Candidates::read_opposite(const std::vector<Corners>& star) {
 void Candidates::smoothing(Dart v, const Demand& demand, Candidate& best) {
   const Index a = work_.mesh().vertex(v);
   if (is_refused_already(Kind::smoothing, a, a, demand)) return;
-  const bool is_free = work_.held().is_free(a);
+  const bool is_free = work_.strata().is_free(a);
   Axes axes{true, true, true};
   if (!is_free) {
     if (read_place(v, demand))

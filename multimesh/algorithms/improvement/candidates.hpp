@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "multimesh/algorithms/improvement/counts.hpp"
@@ -20,10 +21,10 @@ struct Candidate {
   Dart dart = no_dart;
   double before = 0;  ///< the worst quality of what it replaces
   double after = std::numeric_limits<double>::infinity();
-  Vec3 place = Vec3::Zero();  ///< of the new or moved vertex
-  std::uint8_t strata = 0;    ///< of the new vertex
-  bool in_boundary = false;   ///< a swap of an edge of the boundary
-  bool surface = false;       ///< whether it changes triangles of the surface, or curves
+  Vec3 place{};              ///< of the new or moved vertex
+  std::uint8_t strata = 0;   ///< of the new vertex
+  bool in_boundary = false;  ///< a swap of an edge of the boundary
+  bool surface = false;      ///< whether it changes triangles of the surface, or curves
 
   explicit operator bool() const noexcept { return dart != no_dart; }
 };
@@ -51,6 +52,15 @@ class Candidates {
  public:
   Candidates(const Workspace& work, Counts& counts, Refusals& refusals)
       : work_(work), counts_(counts), refusals_(refusals), place_(work) {}
+
+  /// Whether the operation on the edge is known to be refused; of a vertex: a = b.
+  bool is_known(Kind kind, Index a, Index b, const Demand& demand) const {
+    return demand.remember && refusals_.knows(kind, a, b);
+  }
+  /// The same for both orders of the ends.
+  bool is_edge_known(Kind kind, Index a, Index b, const Demand& demand) const {
+    return is_known(kind, std::min(a, b), std::max(a, b), demand);
+  }
 
   /// For the edge of a dart, with the best apex.
   void edge_swap(Dart e, const Demand& demand, Candidate& best);
@@ -80,7 +90,7 @@ class Candidates {
   }
   /// Counts an attempt, unless it is known to be refused.
   bool is_refused_already(Kind kind, Index a, Index b, const Demand& demand) {
-    if (demand.remember && refusals_.knows(kind, a, b)) return true;
+    if (is_known(kind, a, b, demand)) return true;
     tried(kind);
     return false;
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/improvement/exact_place.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "multimesh/geometry/orient2d.hpp"
@@ -23,9 +23,11 @@ int turn_without(int axis, const Vec3& a, const Vec3& b, const Vec3& c) {
 /// Coordinate axes, that most nearly normal to the triangle's plane first: without that coordinate, signs of
 /// areas are the clearest.
 std::array<int, 3> clearest_axes(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = (b - a).cross(c - a).cwiseAbs();
+  const Vec3 normal = cross(b - a, c - a);
   std::array<int, 3> axes{0, 1, 2};
-  std::stable_sort(axes.begin(), axes.end(), [&](int i, int j) { return normal[i] > normal[j]; });
+  std::stable_sort(axes.begin(), axes.end(), [&](int i, int j) {
+    return std::abs(normal[std::size_t(i)]) > std::abs(normal[std::size_t(j)]);
+  });
   return axes;
 }
 
@@ -50,11 +52,11 @@ bool ExactPlace::read(Dart at_v) {
   faces_.clear();
   n_curve_edges_ = 0;
   curve_ = {no_index, no_index};
-  const std::uint8_t strata = work_.held().strata(v_);
-  if (strata & Held::fixed) return false;
+  const std::uint8_t strata = work_.strata().of(v_);
+  if (strata & Strata::fixed) return false;
   work_.mesh().star(at_v, 0, star_);
-  if (strata & Held::on_face) read_faces();
-  if (strata & Held::on_curve) {
+  if (strata & Strata::on_face) read_faces();
+  if (strata & Strata::on_curve) {
     read_curves();
     if (n_curve_edges_ != 2 || !curve_is_straight()) return false;
   }
@@ -62,11 +64,11 @@ bool ExactPlace::read(Dart at_v) {
 }
 
 void ExactPlace::read_faces() {
-  const tet::TetMesh& mesh = work_.mesh();
+  const Mesh& mesh = work_.mesh();
   for (const Dart t : star_)
     for (const Permutation p : {Permutation{}, permutation(0, 1, 3, 2), permutation(0, 2, 3, 1)}) {
       const Dart f = mesh.reorder(t, p);
-      if (!work_.held().face(f)) continue;
+      if (!work_.strata().is_wall(f)) continue;
       Index c[4];
       mesh.vertices(f, c);
       const auto [low, high] = std::minmax(c[1], c[2]);
@@ -79,13 +81,13 @@ void ExactPlace::read_faces() {
 }
 
 void ExactPlace::read_curves() {
-  const tet::TetMesh& mesh = work_.mesh();
+  const Mesh& mesh = work_.mesh();
   seen_.clear();
   for (const Dart t : star_)
     for (const Permutation p : {Permutation{}, permutation(0, 2, 1, 3), permutation(0, 3, 1, 2)}) {
       const Dart e = mesh.reorder(t, p);
       const Index w = mesh.vertex(mesh.reorder(e, exchange_ends));
-      if (!work_.held().curve(e) || std::find(seen_.begin(), seen_.end(), w) != seen_.end()) continue;
+      if (!work_.strata().is_curve(e) || std::find(seen_.begin(), seen_.end(), w) != seen_.end()) continue;
       seen_.push_back(w);
     }
   n_curve_edges_ = seen_.size();

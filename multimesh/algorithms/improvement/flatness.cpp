@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multimesh/algorithms/improvement/flatness.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 
 #include "multimesh/geometry/orient3d.hpp"
+#include "multimesh/geometry/tet_shape.hpp"
 
 namespace multimesh::improvement {
 
@@ -17,19 +17,20 @@ namespace {
 double rounding_of(std::initializer_list<const Vec3*> points) {
   constexpr double units = 4;
   double largest = 0;
-  for (const Vec3* p : points) largest = std::max(largest, p->cwiseAbs().maxCoeff());
+  for (const Vec3* p : points)
+    for (const double x : *p) largest = std::max(largest, std::abs(x));
   return units * std::numeric_limits<double>::epsilon() * largest;
 }
 
 double doubled_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return (b - a).cross(c - a).norm();
+  return cross(b - a, c - a).norm();
 }
 
 }  // namespace
 
 // The smallest height of the tetrahedron is that over its largest face.
 bool Flatness::coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
-  const double volume = std::abs((b - a).cross(c - a).dot(d - a));
+  const double volume = std::abs(six_volume(a, b, c, d));
   // Where rounding cannot have made this of a volume of 0, the exact sign need not be asked.
   constexpr double surely = 0x1p-48;
   const bool may_be_flat = !(volume > surely * (b - a).norm() * (c - a).norm() * (d - a).norm());

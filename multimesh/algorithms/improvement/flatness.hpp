@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "multimesh/algorithms/improvement/amips.hpp"
+#include "multimesh/geometry/vector.hpp"
 
 namespace multimesh::improvement {
 

@@ -10,10 +10,10 @@
 
 namespace multimesh::improvement {
 
-Improver::Improver(TetDomain& domain, const ImproveOptions& options)
+Improver::Improver(const Embedding& embedding, NodeId node, const ImproveOptions& options)
     : options_(options),
       limit_(options.target_amips * options.target_amips * options.target_amips),
-      work_(domain, options),
+      work_(embedding, node, options),
       forced_(work_, options.surface_splits),
       expected_(work_.mesh().capacity(0)),
       refusals_(work_.count_tets()),
@@ -133,27 +133,35 @@ void Improver::tick() {
 
 bool Improver::swap_or_collapse(Index t, const Demand& demand) {
   Candidate best;
-  for (const auto& [i, j] : edge_corners) candidates_.edge_swap(Workspace::edge(t, i, j), demand, best);
-  for (const Permutation p : faces_around(3, 2, -1))
-    candidates_.face_swap(tet::TetMesh::dart(t, p), demand, best);
   const Corners c = work_.corners(t);
+  for (const auto& [i, j] : edge_corners)
+    if (!candidates_.is_edge_known(Kind::edge_swap, c[i], c[j], demand))
+      candidates_.edge_swap(work_.edge(t, i, j), demand, best);
+  for (const Permutation p : faces_around(3, 2, -1)) candidates_.face_swap(work_.dart(t, p), demand, best);
   for (int i = 0; i < 4; ++i) {
     if (is_kept(c[i]) || std::find(fresh_.begin(), fresh_.end(), c[i]) != fresh_.end()) continue;
     for (int j = 0; j < 4; ++j)
-      if (i != j) candidates_.collapse(Workspace::edge(t, i, j), demand, best);
+      if (i != j && !candidates_.is_known(Kind::collapse, c[i], c[j], demand))
+        candidates_.collapse(work_.edge(t, i, j), demand, best);
   }
   return take(best);
 }
 
 bool Improver::smooth(Index t, const Demand& demand) {
   Candidate best;
-  for (int i = 0; i < 4; ++i) candidates_.smoothing(Workspace::edge(t, i, i == 0 ? 1 : 0), demand, best);
+  const Corners c = work_.corners(t);
+  for (int i = 0; i < 4; ++i)
+    if (!candidates_.is_known(Kind::smoothing, c[i], c[i], demand))
+      candidates_.smoothing(work_.edge(t, i, i == 0 ? 1 : 0), demand, best);
   return take(best);
 }
 
 bool Improver::split(Index t, const Demand& demand) {
   Candidate best;
-  for (const auto& [i, j] : edge_corners) candidates_.split(Workspace::edge(t, i, j), demand, best);
+  const Corners c = work_.corners(t);
+  for (const auto& [i, j] : edge_corners)
+    if (!candidates_.is_edge_known(Kind::split, c[i], c[j], demand))
+      candidates_.split(work_.edge(t, i, j), demand, best);
   return take(best);
 }
 
@@ -201,7 +209,7 @@ std::size_t Improver::pass(int trial_splits) {
   EdgeQueue::Entry next;
   while (queue_.pop(next) && !is_out_of_time()) {
     const Index t = next.edge;
-    if (!work_.is_live(t) || work_.held().is_locked_tet(t) || !(work_.quality_of(t) > limit_)) continue;
+    if (!work_.is_live(t) || work_.strata().facet_stays(t) || !(work_.quality_of(t) > limit_)) continue;
     tick();
     improve_bad(t, trial_splits);
   }
@@ -237,7 +245,7 @@ bool Badness::is_worse_than(const Badness& other) const {
 Badness Improver::badness() const {
   Badness b;
   for (Index t = 0; t < work_.mesh().capacity(3); ++t) {
-    if (!work_.is_live(t) || work_.held().is_locked_tet(t)) continue;
+    if (!work_.is_live(t) || work_.strata().facet_stays(t)) continue;
     const double excess = work_.quality_of(t) / demanded(t);
     if (!(excess > 1)) continue;
     const Corners c = work_.corners(t);
@@ -258,7 +266,7 @@ Dart Improver::longest_edge(Index t) const {
   Dart e = no_dart;
   for (const auto& [i, j] : edge_corners)
     if (const double length = (work_.point(c[i]) - work_.point(c[j])).norm(); length > longest)
-      longest = length, e = Workspace::edge(t, i, j);
+      longest = length, e = work_.edge(t, i, j);
   return e;
 }
 
@@ -267,7 +275,7 @@ std::size_t Improver::refine() {
   demand.in_middle = true;
   std::vector<Index> bad;
   for (Index t = 0; t < work_.mesh().capacity(3); ++t)
-    if (work_.is_live(t) && !work_.held().is_locked_tet(t) && work_.quality_of(t) > demanded(t))
+    if (work_.is_live(t) && !work_.strata().facet_stays(t) && work_.quality_of(t) > demanded(t))
       bad.push_back(t);
   std::size_t done = 0;
   for (const Index t : bad) {

@@ -24,7 +24,7 @@ inline constexpr double near_bound = 1.1;
 /// The loop over bad tetrahedra.
 class Improver {
  public:
-  Improver(TetDomain& domain, const ImproveOptions& options);
+  Improver(const Embedding& embedding, NodeId node, const ImproveOptions& options);
 
   /// Tetrahedra are bad from now on if their energy is above this.
   void aim_at(double amips);

@@ -20,7 +20,7 @@ std::size_t Improver::sweep_edges(const Excess& excess, const Apply& apply) {
     double worst = 0;
     for (const auto& [i, j] : edge_corners)
       if (const double x = excess((work_.point(c[i]) - work_.point(c[j])).norm()); x > worst)
-        worst = x, e = Workspace::edge(t, i, j);
+        worst = x, e = work_.edge(t, i, j);
     return worst;
   };
   const auto push = [&](Index t) {
@@ -32,7 +32,7 @@ std::size_t Improver::sweep_edges(const Excess& excess, const Apply& apply) {
   trying_ = true;  // what changes goes to touched_, not to the queue of bad ones
   while (queue.pop(next) && !is_out_of_time()) {
     tick();
-    if (!work_.is_live(next.edge) || work_.held().is_locked_tet(next.edge) || !(worst(next.edge) > 1))
+    if (!work_.is_live(next.edge) || work_.strata().facet_stays(next.edge) || !(worst(next.edge) > 1))
       continue;
     touched_.clear();
     if (!apply(next.edge, e)) continue;

@@ -53,7 +53,7 @@ bool Improver::try_splits(Index t) {
   const double before = work_.quality_of(t);
   for (const auto& [i, j] : edge_corners) {
     Candidate split;
-    candidates_.split(Workspace::edge(t, i, j), daring(), split);
+    candidates_.split(work_.edge(t, i, j), daring(), split);
     if (split && attempt(before, [&] { return take(split); })) return true;
   }
   return false;
@@ -87,7 +87,7 @@ Dart Improver::longest_edge_near(Index t) const {
     bool longer = false;
     for (const auto& [i, j] : edge_corners) {
       const double length = (work_.point(c[i]) - work_.point(c[j])).norm();
-      if (length > longest) longest = length, e = Workspace::edge(s, i, j), longer = true;
+      if (length > longest) longest = length, e = work_.edge(s, i, j), longer = true;
     }
     return longer;
   };
@@ -95,7 +95,7 @@ Dart Improver::longest_edge_near(Index t) const {
   for (bool longer = true; longer;) {
     longer = false;
     work_.read_ring(e, ring_);
-    for (const Dart d : ring_.darts) longer = look_at(tet::TetMesh::tet(d)) || longer;
+    for (const Dart d : ring_.darts) longer = look_at(work_.tet(d)) || longer;
   }
   return e;
 }

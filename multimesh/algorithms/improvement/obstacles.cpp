@@ -28,12 +28,12 @@ bool is_thin(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 Obstacles::Obstacles(const Workspace& work, SurfaceSplits splits)
     : work_(work), splits_(splits), forced_(work.mesh().capacity(0)) {
-  const tet::TetMesh& mesh = work.mesh();
+  const Mesh& mesh = work.mesh();
   for (Index t = 0; t < mesh.capacity(3); ++t) {
     if (!work.is_live(t)) continue;
     for (const Permutation p : faces_around(3, 2, -1)) {
-      const Dart f = tet::TetMesh::dart(t, p);
-      if (!work.held().face(f)) continue;
+      const Dart f = work_.dart(t, p);
+      if (!work.strata().is_wall(f)) continue;
       read_face(f);
       for (const Permutation q : {Permutation{}, permutation(1, 2, 0, 3), permutation(2, 0, 1, 3)})
         read_edge(mesh.reorder(f, q));
@@ -49,9 +49,9 @@ void Obstacles::force(Dart at, const Forced& f) {
 
 // The angle from this face to the next one around the edge, through the tetrahedron of the dart.
 void Obstacles::read_edge(Dart e) {
-  if (work_.held().is_locked_edge(e)) return;
+  if (work_.strata().edge_stays(e)) return;
   work_.read_ring(e, ring_);
-  work_.read_held_faces(ring_, held_faces_);
+  work_.read_walls(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;
   const auto angle = [&](std::size_t i) {
     return dihedral_angle(work_.point(ring_.a), work_.point(ring_.b), work_.point(ring_.rim[i]),
@@ -76,10 +76,10 @@ bool Obstacles::is_thin_at(std::size_t rim) const {
 }
 
 bool Obstacles::is_crease(Dart e) {
-  if (work_.held().curve(e)) return true;
-  if (work_.held().is_locked_edge(e)) return false;  // of copies, the others are not looked at
+  if (work_.strata().is_curve(e)) return true;
+  if (work_.strata().edge_stays(e)) return false;  // of copies, the others are not looked at
   work_.read_ring(e, ring_);
-  work_.read_held_faces(ring_, held_faces_);
+  work_.read_walls(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;
   if (held.size() != 2) return true;
   if (is_thin_at(held[0]) || is_thin_at(held[1])) return false;
@@ -88,7 +88,7 @@ bool Obstacles::is_crease(Dart e) {
 }
 
 void Obstacles::read_face(Dart f) {
-  const tet::TetMesh& mesh = work_.mesh();
+  const Mesh& mesh = work_.mesh();
   constexpr Permutation turns[3] = {Permutation{}, permutation(1, 2, 0, 3), permutation(2, 0, 1, 3)};
   bool crease[3];
   for (int i = 0; i < 3; ++i) crease[i] = is_crease(mesh.reorder(f, turns[i]));  // edge i: from corner i
@@ -112,7 +112,7 @@ std::string Obstacles::reason_of(Index t, double& bound) const {
   int on_surface = 0;
   for (const Index v : c) {
     if (forced_[v].bound > worst->bound) worst = &forced_[v];
-    on_surface += !work_.held().is_free(v);
+    on_surface += !work_.strata().is_free(v);
   }
   bound = 3;
   // Below this, what the surface forces is no explanation.
@@ -136,7 +136,7 @@ std::vector<ImproveObstacle> Obstacles::explain(double limit) const {
     if (!(q > limit)) continue;
     double bound;
     const std::string reason =
-        work_.held().is_locked_tet(t) ? (bound = 3, "in a locked region") : reason_of(t, bound);
+        work_.strata().facet_stays(t) ? (bound = 3, "in a locked region") : reason_of(t, bound);
     ImproveObstacle& group = groups[reason];
     group.reason = reason;
     ++group.tets;

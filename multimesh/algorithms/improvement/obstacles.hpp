@@ -42,7 +42,7 @@ class Obstacles {
   SurfaceSplits splits_;
   std::vector<Forced> forced_;  ///< per vertex: the strongest thing at it
   double bound_ = 3;
-  Vec3 place_ = Vec3::Zero();
+  Vec3 place_{};
   Ring ring_;
   std::vector<std::size_t> held_faces_;
 };

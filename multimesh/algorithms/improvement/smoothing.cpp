@@ -14,8 +14,10 @@ namespace {
 constexpr int most_steps = 10, most_halvings = 12;
 constexpr double least_gain = 1e-3;  // per step, relative to the energy
 
+using Vector = Eigen::Vector3d;
+
 struct Derivatives {
-  Vec3 gradient = Vec3::Zero();
+  Vector gradient = Vector::Zero();
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
 };
 
@@ -64,12 +66,12 @@ void restrict_to(Axes axes, Derivatives& d) {
 }
 
 // Where the Hessian is not positive definite, its eigenvalues are made positive.
-Vec3 descent(const Derivatives& d) {
+Vector descent(const Derivatives& d) {
   const Eigen::LLT<Eigen::Matrix3d> factors(d.hessian);
   if (factors.info() == Eigen::Success) return -factors.solve(d.gradient);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(d.hessian);
-  const Vec3 size = eigen.eigenvalues().cwiseAbs();
-  const Vec3 inverse = size.cwiseMax(1e-6 * size.maxCoeff()).cwiseInverse();
+  const Vector size = eigen.eigenvalues().cwiseAbs();
+  const Vector inverse = size.cwiseMax(1e-6 * size.maxCoeff()).cwiseInverse();
   return -(eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose() * d.gradient);
 }
 
@@ -78,7 +80,7 @@ bool find_start(Vec3& v, double& value, const Objective& objective, Axes axes) {
   const std::vector<Opposite>& around = objective.around;
   value = objective.value(v);
   if (std::isfinite(value)) return true;
-  Vec3 mean = Vec3::Zero();
+  Vec3 mean{};
   for (const Opposite& o : around) mean += o[0] + o[1] + o[2];
   mean /= 3 * static_cast<double>(around.size());
   for (int i = 0; i < 3; ++i)
@@ -109,9 +111,10 @@ Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axe
     Derivatives d = objective.derivatives(v);
     restrict_to(axes, d);
     if (!d.gradient.allFinite() || !d.hessian.allFinite()) break;
-    const Vec3 direction = descent(d);
-    const double slope = direction.dot(d.gradient);
+    const Vector downhill = descent(d);
+    const double slope = downhill.dot(d.gradient);
     if (!(slope < 0)) break;
+    const Vec3 direction(downhill[0], downhill[1], downhill[2]);
     double t = 1, next = value;
     Vec3 p = v;
     for (int i = 0; i < most_halvings; ++i, t /= 2) {

@@ -44,33 +44,34 @@ double quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, doubl
 
 namespace {
 
-constexpr std::array<bool, 24> even = [] {
-  std::array<bool, 24> table{};
-  for (std::uint8_t c = 0; c < 24; ++c) table[c] = is_even({c});
-  return table;
-}();
-
 // Even permutations that put corner i first.
 constexpr std::size_t from_corner[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
 
+const Embedding& with_tetrahedra(const Embedding& embedding, NodeId node) {
+  if (embedding.tree().mesh(node).dimension() == 3) return embedding;
+  throw UsageError("improve: the mesh must have dimension 3");
+}
+
 }  // namespace
 
-Workspace::Workspace(TetDomain& domain, const ImproveOptions& options)
-    : domain_(domain),
-      mesh_(domain.mesh()),
-      points_(domain.points().values),
-      held_(domain, options),
-      flatness_{options.surface_splits == SurfaceSplits::rounded},
-      positions_(NodeId::root, points_,
-                 [this](Operation operation, const VertexChange& c) -> Vec3 {
-                   if (operation == Operation::split) return new_point_;
-                   return points_[operation == Operation::collapse && c.t <= 0 ? c.a : c.b];
-                 }),
-      joined_(domain),
-      operations_(domain.tree()) {
-  operations_.add(positions_);
-  operations_.add(joined_);
+// All tetrahedra are judged here, exactly, before they are made.
+Workspace::Workspace(const Embedding& embedding, NodeId node, const ImproveOptions& options)
+    : tets_(with_tetrahedra(embedding, node), node, true),
+      node_(node),
+      mesh_(tets_.mesh()),
+      operations_(tets_.operations()),
+      points_(mesh_.capacity(0)),
+      points_follow_(node, points_,
+                     [this](Operation, const VertexChange& c) { return tets_.positions().at(c.vertex); }),
+      strata_(embedding, node),
+      flatness_{options.surface_splits == SurfaceSplits::rounded} {
+  for (Index v = 0; v < points_.size(); ++v)
+    if (mesh_.is_live(0, v)) points_[v] = tets_.positions().at(v);
+  operations_.add(points_follow_);
   for (Attribute* a : options.carried) operations_.add(*a);
+  for (const Confinement& c : options.confined)
+    if (c.how == Confined::fixed) strata_.fix(c.mesh);
+  strata_.tabulate();
 }
 
 std::size_t Workspace::count_tets() const {
@@ -80,18 +81,19 @@ std::size_t Workspace::count_tets() const {
 }
 
 Corners Workspace::corners(Index t, std::size_t first) const {
-  const Index* v = mesh_.corners(t);
+  Index v[4];
+  mesh_.vertices(mesh_.dart_of(3, t), v);
   const auto& p = from_corner[first];
   return {v[p[0]], v[p[1]], v[p[2]], v[p[3]]};
 }
 
-Dart Workspace::edge(Index t, int i, int j) {
+Dart Workspace::edge(Index t, int i, int j) const {
   const int k = i != 0 && j != 0 ? 0 : i != 1 && j != 1 ? 1 : 2;
-  return tet::TetMesh::dart(t, permutation(i, j, k, 6 - i - j - k));
+  return dart(t, permutation(i, j, k, 6 - i - j - k));
 }
 
 void Workspace::read_ring(Dart e, Ring& ring) const {
-  if (!even[code(e) & 31U]) e = mesh_.reorder(e, transposition(2));
+  if (!is_even(mesh_.order(mesh_.dart_of(3, tet(e)), e))) e = mesh_.reorder(e, transposition(2));
   mesh_.star(e, 1, ring.darts);
   ring.rim.clear();
   Index v[4] = {};
@@ -105,65 +107,79 @@ void Workspace::read_ring(Dart e, Ring& ring) const {
   if (!ring.closed) ring.rim.push_back(v[3]);
 }
 
-void Workspace::read_held_faces(const Ring& ring, std::vector<std::size_t>& faces) const {
+void Workspace::read_walls(const Ring& ring, std::vector<std::size_t>& faces) const {
   faces.clear();
-  if (!(held_.strata(ring.a) & held_.strata(ring.b) & Held::on_face)) return;
+  if (!(strata_.of(ring.a) & strata_.of(ring.b) & Strata::on_face)) return;
   for (std::size_t i = 0; i < ring.rim.size(); ++i)
-    if (held_.face(face_at(ring, i))) faces.push_back(i);
+    if (strata_.is_wall(face_at(ring, i))) faces.push_back(i);
 }
 
 void Workspace::read_star(Dart v, std::vector<Corners>& star) const {
   mesh_.star(v, 0, darts_);
   star.clear();
-  for (const Dart d : darts_)
-    star.push_back(corners(tet::TetMesh::tet(d), static_cast<std::size_t>(Permutation{
-                                                     static_cast<std::uint8_t>(code(d) & 31U)}[0])));
+  const Index centre = mesh_.vertex(v);
+  for (const Dart d : darts_) {
+    const Corners c = corners(tet(d));
+    const auto& p = from_corner[c[0] == centre ? 0 : c[1] == centre ? 1 : c[2] == centre ? 2 : 3];
+    star.push_back({c[p[0]], c[p[1]], c[p[2]], c[p[3]]});
+  }
 }
 
 void Workspace::read_star(Dart v, std::vector<Index>& tets) const {
   mesh_.star(v, 0, darts_);
   tets.clear();
-  for (const Dart d : darts_) tets.push_back(tet::TetMesh::tet(d));
-}
-
-Dart Workspace::keep(const Outcome& outcome) {
-  refusal_ = outcome.refusal;
-  return outcome.dart;
+  for (const Dart d : darts_) tets.push_back(tet(d));
 }
 
 Dart Workspace::split(Dart e, const Vec3& at, std::uint8_t strata) {
-  new_point_ = at;
-  const Outcome outcome = operations_.split(NodeId::root, e);
-  if (outcome) held_.set(mesh_.vertex(mesh_.reorder(outcome.dart, exchange_ends)), strata);
-  return keep(outcome);
+  Transaction both = operations_.transaction();
+  const Outcome outcome = operations_.split(node_, e);
+  if (!outcome) return no_dart;
+  const Dart c = mesh_.reorder(outcome.dart, exchange_ends);
+  if (at != point(mesh_.vertex(c)) && !move(c, at)) return no_dart;
+  strata_.set(mesh_.vertex(c), strata);
+  both.commit();
+  return outcome.dart;
 }
 
 Dart Workspace::collapse(Dart e) {
-  return keep(operations_.collapse(NodeId::root, e, Placement::keep_b()));
+  return operations_.collapse(node_, e, Placement::keep_b()).dart;
 }
 
-// A swap has its own new vertex, which is gone at once; its place does not matter.
 Dart Workspace::swap(Dart e) {
-  return keep(operations_.swap(NodeId::root, e));
+  return operations_.swap(node_, e).dart;
 }
 
+// Asked for in the mesh that has the faces at it.
 Dart Workspace::swap_in_boundary(Dart e) {
-  Transaction both = operations_.transaction();
-  const Outcome halves = operations_.split(NodeId::root, e);
-  if (!halves) return keep(halves);
-  const Dart to_apex = mesh_.reorder(halves.dart, edge_bx);  // (a,c,x,..) -> (c,x,a,..)
-  const Outcome done = operations_.collapse(NodeId::root, to_apex, Placement::keep_b());
-  if (done) both.commit();
-  return keep(done);
+  for (const NodeId surface :
+       mesh_.is_boundary(e, 2) ? tets_.tree().children(node_) : std::span<const NodeId>()) {
+    found_.clear();
+    if (tets_.tree().mesh(surface).dimension() != 2) continue;
+    tets_.tree().to_child(surface, e, 2, found_);
+    if (found_.empty()) continue;
+    const Outcome done = operations_.swap(surface, found_.front());
+    return done ? tets_.tree().to_parent(surface, done.dart) : no_dart;
+  }
+  return no_dart;
 }
 
 Dart Workspace::swap_face(Dart f) {
-  return keep(operations_.swap_face(NodeId::root, f));
+  return operations_.swap_face(node_, f).dart;
 }
 
+// Coordinates may be stored with fewer digits than were judged.
 bool Workspace::move(Dart v, const Vec3& to) {
-  return keep(operations_.relocate(NodeId::root, v,
-                                   [&](const Event&) { positions_.set(mesh_.vertex(v), to); })) != no_dart;
+  Transaction scope = operations_.transaction();
+  const auto write = [&](const Event&) { tets_.positions().set(mesh_.vertex(v), to); };
+  if (!operations_.relocate(node_, v, write)) return false;
+  if (point(mesh_.vertex(v)) != to) {
+    read_star(v, star_);
+    for (const Corners& c : star_)
+      if (!(quality_of(c) < std::numeric_limits<double>::infinity())) return false;
+  }
+  scope.commit();
+  return true;
 }
 
 }  // namespace multimesh::improvement

@@ -4,12 +4,11 @@
 #include <array>
 #include <vector>
 
+#include "multimesh/algorithms/improve.hpp"
 #include "multimesh/algorithms/improvement/amips.hpp"
 #include "multimesh/algorithms/improvement/flatness.hpp"
-#include "multimesh/algorithms/improvement/held.hpp"
-#include "multimesh/domains/joined_mesh.hpp"
-#include "multimesh/domains/tet_domain.hpp"
-#include "multimesh/operations.hpp"
+#include "multimesh/embedding.hpp"
+#include "multimesh/strata.hpp"
 
 namespace multimesh::improvement {
 
@@ -35,16 +34,16 @@ struct Ring {
   Index next(std::size_t i) const noexcept { return rim[i + 1 == rim.size() ? 0 : i + 1]; }
 };
 
-/// What the operations read and write: the domain, its points, what must stay, and the tree's operations with
-/// the rule for new points.
+/// What the operations read and write: the tetrahedra, their points, what must stay, and the operations of
+/// the tree.
 class Workspace {
  public:
-  Workspace(TetDomain& domain, const ImproveOptions& options);
+  /// \throw UsageError unless the mesh has dimension 3
+  Workspace(const Embedding& embedding, NodeId node, const ImproveOptions& options);
 
-  const tet::TetMesh& mesh() const { return mesh_; }
+  const Mesh& mesh() const { return mesh_; }
   const Vec3& point(Index v) const { return points_[v]; }
-  Held& held() { return held_; }
-  const Held& held() const { return held_; }
+  const Strata& strata() const { return strata_; }
   Propagation& operations() { return operations_; }
 
   Flatness flatness() const { return flatness_; }
@@ -61,21 +60,23 @@ class Workspace {
   }
   double quality_of(Index t) const { return quality_of(corners(t)); }
 
+  Index tet(Dart d) const { return mesh_.facet(d); }
+  Dart dart(Index t, Permutation p = {}) const { return mesh_.reorder(mesh_.dart_of(3, t), p); }
   /// The dart (corner i, corner j, ..) of t.
-  static Dart edge(Index t, int i, int j);
+  Dart edge(Index t, int i, int j) const;
   void read_ring(Dart e, Ring& ring) const;
   /// The dart (a,b,rim[i],..); at the end of an open ring, the far side of the last tetrahedron.
   Dart face_at(const Ring& ring, std::size_t i) const {
     return i == ring.size() ? mesh_.reorder(ring.darts.back(), transposition(2)) : ring.darts[i];
   }
-  /// Positions i in the rim for which the face (a,b,rim[i]) is held.
-  void read_held_faces(const Ring& ring, std::vector<std::size_t>& faces) const;
+  /// Positions i in the rim for which the face (a,b,rim[i]) is a wall.
+  void read_walls(const Ring& ring, std::vector<std::size_t>& faces) const;
   /// The tetrahedra around a vertex, which is the first corner of each. `v`: a dart at it.
   void read_star(Dart v, std::vector<Corners>& star) const;
   /// Live tetrahedra around a vertex.
   void read_star(Dart v, std::vector<Index>& tets) const;
 
-  // --- operations; no_dart if refused, with the reason in refusal()
+  // --- operations; no_dart if refused
   /// \return (a,c,..)
   Dart split(Dart e, const Vec3& at, std::uint8_t strata);
   /// Moves a to b. \return a dart at b
@@ -86,21 +87,18 @@ class Workspace {
   Dart swap_in_boundary(Dart e);
   Dart swap_face(Dart f);
   bool move(Dart v, const Vec3& to);
-  const Refusal& refusal() const noexcept { return refusal_; }
 
  private:
-  Dart keep(const Outcome& outcome);
-
-  TetDomain& domain_;
-  tet::TetMesh& mesh_;
-  std::vector<Vec3>& points_;
-  Held held_;
+  EmbeddedMesh tets_;
+  NodeId node_;
+  const Mesh& mesh_;
+  Propagation& operations_;
+  std::vector<Vec3> points_;  ///< a copy of the coordinates, to be read at once
+  VertexAttribute<Vec3> points_follow_;
+  Strata strata_;
   Flatness flatness_;
-  Vec3 new_point_ = Vec3::Zero();
-  VertexAttribute<Vec3> positions_;
-  KeepsJoinedMesh joined_;
-  Propagation operations_;
-  Refusal refusal_;
+  DartBuffer found_;
+  std::vector<Corners> star_;
   mutable DartBuffer darts_;
 };
 

@@ -9,7 +9,7 @@
 
 namespace multimesh::remeshing {
 
-Reference::Reference(const EmbeddedMesh& surface, TreeStrata& strata, std::vector<Index>& patch,
+Reference::Reference(const EmbeddedMesh& surface, Strata& strata, std::vector<Index>& patch,
                      std::vector<Index>& line)
     : tree_(surface.tree()),
       node_(surface.node()),

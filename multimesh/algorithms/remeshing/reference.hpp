@@ -8,7 +8,7 @@
 #include "multimesh/embedding.hpp"
 #include "multimesh/geometry/vector.hpp"
 #include "multimesh/spatial/triangle_tree.hpp"
-#include "multimesh/tree_strata.hpp"
+#include "multimesh/strata.hpp"
 
 namespace multimesh::remeshing {
 
@@ -29,8 +29,7 @@ class Reference {
  public:
   /// Numbers of patches and lines are those of faces and edges, which the operations hand on: `patch` per
   /// face; `line` per edge, one more than the number, 0 for plain edges. Cost: O(n log n)
-  Reference(const EmbeddedMesh& surface, TreeStrata& strata, std::vector<Index>& patch,
-            std::vector<Index>& line);
+  Reference(const EmbeddedMesh& surface, Strata& strata, std::vector<Index>& patch, std::vector<Index>& line);
 
   /// The point of a patch closest to p among those whose normal is within 90 degrees of `normal`. If it is
   /// within `expected` of p, points that are farther away cost nothing.
@@ -68,7 +67,7 @@ class Reference {
   const Mesh& mesh_;
   const Coordinates& positions_;
   std::span<Coordinates* const> below_;
-  TreeStrata& strata_;
+  Strata& strata_;
   Layer patches_, lines_;
   std::optional<spatial::TriangleTree> triangles_, segments_;
 };

@@ -13,7 +13,7 @@
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
 #include "multimesh/column.hpp"
 #include "multimesh/embedding.hpp"
-#include "multimesh/tree_strata.hpp"
+#include "multimesh/strata.hpp"
 
 namespace multimesh::remeshing {
 
@@ -107,7 +107,7 @@ class Remesher {
   std::vector<bool> placed_;       // per vertex: on the input
   std::vector<bool> tried_;        // per vertex: to raise angles, in this sweep
 
-  TreeStrata strata_;
+  Strata strata_;
   Reference reference_;
   DistanceGuard guard_;
   StarShape shape_;

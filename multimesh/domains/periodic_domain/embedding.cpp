@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "multimesh/domains/periodic_domain/tile_coordinates.hpp"
-#include "multimesh/domains/tets_stay_positive.hpp"
 
 namespace multimesh {
 
@@ -91,10 +90,8 @@ Embedding PeriodicDomain::embedding() {
   e.add<CopiesKeepTheirOffsets>(*this);
   const Coordinates& places =
       e.add_coordinates(std::make_unique<TileCoordinates>(*this), Embedding::Kind::space);
-  if (tree().mesh(tile()).dimension() == 3)
-    e.add<TetsStayPositive>(places);
-  else if (report().inverted_facets == 0)
-    e.add<TileStaysPositive>(*this);
+  if (tree().mesh(tile()).dimension() == 3 || report().inverted_facets == 0)
+    e.keep_orientation(places, mean_normal(*this));
   return e;
 }
 

@@ -2,7 +2,6 @@
 // Which faces of the tetrahedra are the surface, which edges are curves, and which points are fixed.
 #include "multimesh/build.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,8 +26,7 @@ using tet::SimplexMap;
 namespace {
 
 Point point(const TaggedTetrahedra& input, Index i) {
-  const auto& p = input.points[i];
-  return {p[0], p[1], p[2]};
+  return input.points[i];
 }
 
 /// Turns round the parts of the mesh whose volume is negative as a whole. \return how many tetrahedra are
@@ -172,15 +170,15 @@ struct CurveEdge {
   std::array<Index, 2> ends{};  ///< input points
   int sheets = 0;               ///< faces of the surface around it
   Tag patches[2]{};             ///< of two of them
-  Point normals[2] = {Point::Zero(), Point::Zero()};
+  Point normals[2]{};           ///< theirs, of length 1, or 0
   bool has_tag = false;
   Tag tag = 0;
   std::uint8_t flags = unlisted_simplex;
 
   bool is_sharp(double angle) const {
     if (angle > std::numbers::pi) return false;
-    const double cosine = normals[0].dot(normals[1]), sine = normals[0].cross(normals[1]).norm();
-    return !normals[0].isZero() && !normals[1].isZero() && std::atan2(sine, cosine) >= angle;
+    const double cosine = dot(normals[0], normals[1]), sine = cross(normals[0], normals[1]).norm();
+    return normals[0] != Point{} && normals[1] != Point{} && std::atan2(sine, cosine) >= angle;
   }
   bool is_curve(double angle) const {
     return has_tag || (sheets > 0 && (sheets != 2 || patches[0] != patches[1] || is_sharp(angle)));
@@ -235,14 +233,14 @@ void add_edges_of_surface(const TetDomain::Data& domain, const JoinedMesh& joine
     domain.mesh->vertices(d, v);
     const Index beyond = joined.beyond.find(simplex_key(v, 2));
     if (beyond != no_index && beyond < domain.mesh->tet(d)) continue;  // its other copy has been counted
-    const Point normal = (points[v[1]] - points[v[0]]).cross(points[v[2]] - points[v[0]]).stableNormalized();
+    const Point normal = cross(points[v[1]] - points[v[0]], points[v[2]] - points[v[0]]).unit_or_zero();
     for (int i = 0; i < 3; ++i) {
       const Index ends[2] = {v[i], v[(i + 1) % 3]};
       CurveEdge& e = out.at(ends);
       if (e.sheets < 2) {
         e.patches[e.sheets] = (*domain.patches)[f];
         const bool ascends = joined.source[ends[0]] < joined.source[ends[1]];
-        e.normals[e.sheets] = ascends == (e.sheets == 0) ? normal : Point(-normal);
+        e.normals[e.sheets] = ascends == (e.sheets == 0) ? normal : -normal;
       }
       ++e.sheets;
     }

@@ -2,9 +2,7 @@
 #include "multimesh/embedding.hpp"
 
 #include "multimesh/domains/joined_mesh.hpp"
-#include "multimesh/domains/simplices_stay.hpp"
 #include "multimesh/domains/tet_domain.hpp"
-#include "multimesh/domains/tets_stay_positive.hpp"
 
 namespace multimesh {
 
@@ -26,10 +24,13 @@ Embedding TetDomain::embedding() {
   Embedding e(tree());
   e.set(LegalityOptions{.contact = true});
   auto& positions = e.add<VertexAttribute<Point>>(NodeId::root, points().values);
-  e.add<TetsStayPositive>(e.add_coordinates(positions, Embedding::Kind::space));
+  e.keep_orientation(e.add_coordinates(positions, Embedding::Kind::space));
   e.add<KeepsJoinedMesh>(*this);
+  if (report().copied_vertices > 0)
+    e.tell_kept_edges(NodeId::root, [this](Dart edge) { return is_copied_edge(edge); });
+  e.tell_parts(NodeId::root, regions().values);
   if (has_required(*this))
-    e.add<SimplicesStay>("required simplices stay", [this](NodeId n, Index f) {
+    e.keep("required simplices stay", [this](NodeId n, Index f) {
       return (flags(tree().mesh(n).dimension(), f) & required_simplex) != 0;
     });
   return e;

@@ -8,5 +8,5 @@ bool works() {
   const multimesh::TetDomain domain(input);
   // With points go vectors: their products need no other header.
   const auto& p = domain.points();
-  return (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) > 0;
+  return dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) > 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "multimesh/domains/simplices_stay.hpp"
+#include "multimesh/simplices_stay.hpp"
 
 #include <algorithm>
 
