@@ -107,7 +107,7 @@ TEST(Improve, DoesTheSameTwice) {
   TaggedTetrahedra results[2];
   for (TaggedTetrahedra& result : results) {
     TetDomain domain(make_box({.squash = 0.9999}).input);
-    improve(domain, {{.target_amips = 6}});
+    improve(domain, {{.target_amips = 6}, {}});
     result = domain.tagged();
   }
   EXPECT_EQ(results[0].points, results[1].points);
@@ -150,12 +150,12 @@ TEST(Improve, RefusesInvertedAndFlatTetrahedraByName) {
 TEST(Improve, RefusesBadOptions) {
   TetDomain domain(make_box({.n = 2, .squash = 0.5}).input);
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(improve(domain, {{.target_amips = 2.9}}), InputError);
-  EXPECT_THROW(improve(domain, {{.target_amips = std::nan("")}}), InputError);
-  EXPECT_THROW(improve(domain, {{.max_passes = -1}}), InputError);
-  EXPECT_THROW(improve(domain, {{.edge_length = -1}}), InputError);
-  EXPECT_THROW(improve(domain, {{.edge_length = infinity}}), InputError);
-  EXPECT_THROW(improve(domain, {{.min_edge_length = -1}}), InputError);
+  EXPECT_THROW(improve(domain, {{.target_amips = 2.9}, {}}), InputError);
+  EXPECT_THROW(improve(domain, {{.target_amips = std::nan("")}, {}}), InputError);
+  EXPECT_THROW(improve(domain, {{.max_passes = -1}, {}}), InputError);
+  EXPECT_THROW(improve(domain, {{.edge_length = -1}, {}}), InputError);
+  EXPECT_THROW(improve(domain, {{.edge_length = infinity}, {}}), InputError);
+  EXPECT_THROW(improve(domain, {{.min_edge_length = -1}, {}}), InputError);
 }
 
 }  // namespace

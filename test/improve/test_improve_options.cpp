@@ -35,7 +35,7 @@ std::vector<double> edge_lengths(const TetDomain& domain) {
 TEST(ImproveOptions, RefinesToAnEdgeLength) {
   TetDomain domain(make_box({.n = 2, .squash = 0.5}).input);
   const Kept kept(domain);
-  const ImproveResult r = improve(domain, {{.edge_length = 0.2}});
+  const ImproveResult r = improve(domain, {{.edge_length = 0.2}, {}});
   EXPECT_TRUE(r.target_reached) << r.after.max_amips;
   const std::vector<double> lengths = edge_lengths(domain);
   EXPECT_LE(lengths[lengths.size() * 9 / 10], 0.2 * 4 / 3 + 1e-12);
@@ -70,7 +70,7 @@ TEST(SplitLongEdges, LeavesWhatIsLocked) {
 TEST(ImproveOptions, CoarsensToAnEdgeLength) {
   TetDomain domain(make_box({.n = 8, .sheet = false, .regions = false, .curve = false, .squash = 0.5}).input);
   const Kept kept(domain);
-  const ImproveResult r = improve(domain, {{.edge_length = 0.4}});
+  const ImproveResult r = improve(domain, {{.edge_length = 0.4}, {}});
   EXPECT_TRUE(r.target_reached) << r.after.max_amips;
   EXPECT_LT(r.after.tets, r.before.tets / 3);
   EXPECT_EQ(kept.fault(domain), "");
@@ -175,10 +175,10 @@ TEST(ImproveOptions, TimeAndGrowthEndARun) {
   const Box box = make_box({.squash = 0.9999});
   TetDomain domain(box.input);
   const Kept kept(domain);
-  const ImproveResult late = improve(domain, {{.target_amips = 3.1, .time_limit = 1e-9}});
+  const ImproveResult late = improve(domain, {{.target_amips = 3.1, .time_limit = 1e-9}, {}});
   EXPECT_EQ(late.stop, ImproveStop::time_limit);
   EXPECT_EQ(kept.fault(domain), "");
-  const ImproveResult full = improve(domain, {{.target_amips = 4, .max_passes = 3, .max_growth = 1.5}});
+  const ImproveResult full = improve(domain, {{.target_amips = 4, .max_passes = 3, .max_growth = 1.5}, {}});
   EXPECT_LT(full.after.tets, 1000U);
   EXPECT_EQ(kept.fault(domain), "");
 }
@@ -187,7 +187,8 @@ TEST(ImproveOptions, LengthAndEnergyAreBothReachedOrMeasured) {
   for (const double target : {4.0, 10.0}) {
     TetDomain domain(make_box({.n = 2, .squash = 0.5}).input);
     const Kept kept(domain);
-    const ImproveResult r = improve(domain, {{.target_amips = target, .max_passes = 2, .edge_length = 0.25}});
+    const ImproveResult r =
+        improve(domain, {{.target_amips = target, .max_passes = 2, .edge_length = 0.25}, {}});
     const std::vector<double> lengths = edge_lengths(domain);
     EXPECT_DOUBLE_EQ(r.lengths.longest, lengths.back());
     EXPECT_DOUBLE_EQ(r.lengths.shortest, lengths.front());
@@ -204,7 +205,7 @@ TEST(ImproveOptions, KeepsRegionsAndTheBoundaryThatAreInNoSurface) {
   TetDomain domain(box.input, {.boundary = false, .interfaces = false});
   ASSERT_FALSE(domain.surface());
   const Kept kept(domain);
-  const ImproveResult r = improve(domain, {{.target_amips = 5, .max_passes = 3}});
+  const ImproveResult r = improve(domain, {{.target_amips = 5, .max_passes = 3}, {}});
   EXPECT_LT(r.after.max_amips, r.before.max_amips);
   EXPECT_EQ(kept.fault(domain), "");
 }
@@ -223,7 +224,7 @@ TEST(ImproveOptions, EndsByItselfNearTheBoundWhereTheTargetIsImpossible) {
     prism.tets.vertices = 6;
     TetDomain domain(prism);
     const Kept kept(domain);
-    const ImproveResult r = improve(domain, {{.max_passes = 1000}});
+    const ImproveResult r = improve(domain, {{.max_passes = 1000}, {}});
     EXPECT_GT(r.least_max_amips, 10);
     EXPECT_LE(r.after.max_amips, 1.25 * r.least_max_amips) << height;
     EXPECT_LE(r.after.tets, 5500U) << height;
@@ -234,7 +235,7 @@ TEST(ImproveOptions, EndsByItselfNearTheBoundWhereTheTargetIsImpossible) {
 TEST(ImproveOptions, NoPassesMeansNoChange) {
   TetDomain domain(make_box({.squash = 0.999}).input);
   const TaggedTetrahedra before = domain.tagged();
-  const ImproveResult r = improve(domain, {{.max_passes = 0}});
+  const ImproveResult r = improve(domain, {{.max_passes = 0}, {}});
   EXPECT_FALSE(r.target_reached);
   EXPECT_EQ(r.before.max_amips, r.after.max_amips);
   EXPECT_EQ(domain.tagged().points, before.points);

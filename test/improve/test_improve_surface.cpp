@@ -150,7 +150,7 @@ TEST(ImproveSurface, LockedPointsKeepTheirPlaces) {
   for (Index v = 0; v < box.input.points.size(); v += 3) box.input.fixed.push_back(v);
   TetDomain domain(box.input);
   const Kept kept(domain);
-  improve(domain, {{.target_amips = 5, .max_passes = 3}});
+  improve(domain, {{.target_amips = 5, .max_passes = 3}, {}});
   const TaggedTetrahedra after = domain.tagged();
   for (const Index v : box.input.fixed)
     EXPECT_NE(std::find(after.points.begin(), after.points.end(), box.input.points[v]), after.points.end());
