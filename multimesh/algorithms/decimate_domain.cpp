@@ -43,7 +43,10 @@ DomainDecimateResult decimate(TetDomain& domain, const DomainDecimateOptions& op
       ImproveOptions improving = improvement(domain, options, options.passes_between);
       improving.edge_length = longest_edge(domain);
       improving.carried.assign(carried.begin(), carried.end());
-      (void)improve(embedding, NodeId::root, improving);
+      // Places of the other embedding are prescribed by decimation meanwhile.
+      Embedding inside = domain.embedding();
+      lock(inside, domain, options);
+      (void)improve(inside, NodeId::root, improving);
     };
   DomainDecimateResult r;
   r.surface = decimate(embedding, *domain.surface(), rounds);
