@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "cut_tetrahedra.hpp"
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/files/surface_file.hpp"
@@ -204,6 +205,7 @@ int main(int argc, char** argv) try {
   surface_and_texture(spot, argv[2]);
   operations_across_a_seam(spot, argv[2]);
   remeshed(spot, argv[2]);
+  remeshed_tetrahedra(coarse(spot, 1500), argv[2]);
 } catch (const std::exception& e) {
   std::cerr << e.what() << '\n';
   return 1;
