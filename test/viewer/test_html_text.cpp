@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/html_text.hpp"
 
 namespace multimesh::tools {
