@@ -30,7 +30,7 @@ struct Face {
   bool is_inside;                ///< of the domain: the cut has bared it
 };
 
-/// The boundary of the tetrahedra that lie, by their centres, on the negative side of the plane x = 0.
+/// The boundary of the tetrahedra that have their centres beyond the plane x = 0.
 std::vector<Face> half(const TaggedTetrahedra& t) {
   std::map<std::array<Index, 3>, std::pair<Face, int>> faces;  // by sorted corners; in how many tetrahedra
   for (std::size_t i = 0; i < t.tets.corners.size(); i += 4) {
@@ -43,7 +43,7 @@ std::vector<Face> half(const TaggedTetrahedra& t) {
       std::sort(key.begin(), key.end());
       auto& [face, kept] = faces.try_emplace(key, Face{corners, true}, 0).first->second;
       face.is_inside = !face.is_inside;  // twice if two tetrahedra have it
-      if (x < 0) face.corners = corners, ++kept;
+      if (x > 0) face.corners = corners, ++kept;
     }
   }
   std::vector<Face> bared;
