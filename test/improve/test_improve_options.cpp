@@ -67,6 +67,32 @@ TEST(SplitLongEdges, LeavesWhatIsLocked) {
   EXPECT_THROW(split_long_edges(domain, 0), InputError);
 }
 
+/// The triangles of the surface by the places of their corners.
+std::multiset<std::set<std::array<double, 3>>> surface_triangles(const TetDomain& domain) {
+  const TaggedTetrahedra t = domain.tagged();
+  std::multiset<std::set<std::array<double, 3>>> all;
+  for (std::size_t f = 0; f < t.triangles.size(); ++f) {
+    std::set<std::array<double, 3>> corners;
+    for (const Index v : t.triangles.facet(f)) corners.insert(t.points[v]);
+    all.insert(corners);
+  }
+  return all;
+}
+
+TEST(ImproveOptions, AFixedSurfaceKeepsItsTriangles) {
+  const Box box = make_box({.n = 4});
+  TetDomain domain(box.input), other(box.input);
+  const auto before = surface_triangles(domain);
+  multimesh::improve(domain, {{.target_amips = 8}, {}, /* lock_surface */ true});  // a TetDomain
+  EXPECT_EQ(surface_triangles(domain), before);
+  Embedding embedding = other.embedding();
+  const NodeId node = NodeId::root, surface = *other.surface();
+  multimesh::improve(embedding, node, {.confined = {{surface, multimesh::Confined::fixed}}});
+  EXPECT_EQ(surface_triangles(other), before);
+  EXPECT_LT(test::max_amips(domain), test::max_amips(TetDomain(box.input)));
+  EXPECT_LT(test::max_amips(other), test::max_amips(TetDomain(box.input)));
+}
+
 TEST(ImproveOptions, CoarsensToAnEdgeLength) {
   TetDomain domain(make_box({.n = 8, .sheet = false, .regions = false, .curve = false, .squash = 0.5}).input);
   const Kept kept(domain);

@@ -77,7 +77,8 @@ void CollapseCost::find_copies(Dart e, CollapsePlan& plan) const {
 double CollapseCost::deviation(const CollapsePlan& plan) const {
   const Vec3 from_a = plan.position - plan.at_a, from_b = plan.position - plan.at_b;
   double sum = 0, area = 0;
-  plan.for_each_sheet([&](Index a, Index b) {
+  for (std::size_t i = 0; i < plan.n_sheets(); ++i) {
+    const auto [a, b] = plan.sheet(i);
     if (!memory_.empty()) {
       const double u = memory_unit_.length;
       sum += (memory_[a](from_a * u) + memory_[b](from_b * u)) * memory_unit_.per_4th;
@@ -85,7 +86,7 @@ double CollapseCost::deviation(const CollapsePlan& plan) const {
     if (plan.moves(End::a)) sum += position_forms_[a](from_a);
     if (plan.moves(End::b)) sum += position_forms_[b](from_b);
     area += position_forms_[a].trace() + position_forms_[b].trace();
-  });
+  }
   for (const CollapsePlan::Copy& c : plan.copies()) {
     const auto& texcoords = sets_[c.set].texcoords;
     if (plan.moves(End::a)) sum += sets_[c.set].forms[c.a](from_a, c.texcoord - texcoords[c.a]);

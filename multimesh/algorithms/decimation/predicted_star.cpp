@@ -25,6 +25,7 @@ void PredictedStar::read(Dart e) {
       f.dies = f.changes = true;
     }
   }
+  n_dying_ = n_faces_;
   for (std::size_t i = 0; i < sheets_.size(); ++i) {
     const Vec3 from_first = reader_.positions()[ends_[i].a] - reader_.positions()[ends_[0].a];
     if (!was_read(ends_[i].a, i, End::a)) read_end(sheets_[i], End::a, from_first);
@@ -39,23 +40,18 @@ bool PredictedStar::was_read(Index vertex, std::size_t sheets, End which) const 
                      [&](const auto& ends) { return vertex == (which == End::a ? ends.a : ends.b); });
 }
 
-/// Of a triangle whose corner 0 is an end.
-bool PredictedStar::is_dying(const SurfaceTriangle& t, End which) const {
-  return std::any_of(ends_.begin(), ends_.end(), [&](const auto& ends) {
-    const Index own = which == End::a ? ends.a : ends.b, other = which == End::a ? ends.b : ends.a;
-    return t.vertices[0] == own && (t.vertices[1] == other || t.vertices[2] == other);
-  });
+// Those over an edge have been read first.
+bool PredictedStar::is_dying(Index facet) const {
+  return std::any_of(faces_.begin(), faces_.begin() + static_cast<std::ptrdiff_t>(n_dying_),
+                     [&](const Face& f) { return f.before.facet == facet; });
 }
 
 void PredictedStar::read_end(Dart end, End which, const Vec3& from_first) {
   mesh_.star(end, 0, star_);
   for (const Dart d : star_) {
+    if (is_dying(mesh_.facet(d))) continue;
     Face& f = next_face();
     reader_.read(d, f.before);
-    if (is_dying(f.before, which)) {
-      --n_faces_;
-      continue;
-    }
     f.end = which;
     f.dies = false;
     f.from_first = from_first;

@@ -51,12 +51,12 @@ class PredictedStar {
   Face& next_face();
   void read_end(Dart end, End which, const Vec3& from_first);
   bool was_read(Index vertex, std::size_t sheets, End which) const;
-  bool is_dying(const SurfaceTriangle& t, End which) const;
+  bool is_dying(Index facet) const;
 
   const Mesh& mesh_;
   const TriangleReader& reader_;
   std::vector<Face> faces_;
-  std::size_t n_faces_ = 0;
+  std::size_t n_faces_ = 0, n_dying_ = 0;  ///< the dying ones come first
   DartBuffer star_, sheets_;
   std::vector<CollapsePlan::Ends> ends_;  ///< by sheet
 };
