@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two of the user's OpenMesh meshes, attached in place: a tube, and the rectangle that is rolled into it. They
-// have the same faces; the tube's seam is two sides of the rectangle. Operations on one are carried to both.
+// Two of the user's OpenMesh meshes, attached in place: a tube, and the rectangle that is rolled into it.
+// They have the same faces; the tube's seam is two sides of the rectangle. Operations on one are carried to
+// both.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cmath>
 #include <iostream>

@@ -12,10 +12,10 @@ namespace multimesh::oracle {
 
 /// Shape of a random tree below a tetrahedral mesh. "<-" means "is parent of".
 enum class SolidTreeKind {
-  kCurve,           ///< 0 <- curve
-  kSurface,         ///< 0 <- surface, cut where it is no surface
-  kSurfaceGuarded,  ///< as kSurface, and 0 <- curve on its singular edges, cut at their corners, and 0 <-
-                    ///< points where it is singular and no curve is
+  kCurve,            ///< 0 <- curve
+  kSurface,          ///< 0 <- surface, cut where it is no surface
+  kSurfaceGuarded,   ///< as kSurface, and 0 <- curve on its singular edges, cut at their corners, and 0 <-
+                     ///< points where it is singular and no curve is
   kSurfacesGuarded,  ///< 0 <- surface, 0 <- surface, and 0 <- curve and 0 <- points as above of both together
   kCurveOfSurface,   ///< 0 <- surface <- curve
   kBoundary,         ///< 0 <- all its boundary <- curve, 0 <- curve
