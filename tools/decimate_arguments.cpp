@@ -101,13 +101,6 @@ void add_weights(CLI::App& command, DecimateArguments& a) {
 
 void add_options(CLI::App& command, DecimateArguments& a) {
   add_surface_paths(command, a.input, a.output);
-  command.get_option("IN")->description(
-      "surface to read: OBJ, PLY, OFF, STL; surface or tetrahedra: MSH, MEDIT, VTK, VTU, VTP, .node/.ele; "
-      "also "
-      "gzipped");
-  command.get_option("--output")
-      ->description(
-          "file to write: OBJ; or PLY, OFF, STL, which have room for less; tetrahedra: MSH, MEDIT, VTU");
   add_targets(command, a);
   add_limits(command, a);
   add_weights(command, a);

@@ -108,6 +108,8 @@ std::string way_out(const tetgen::WorkerError& e) {
   switch (e.reason()) {
     case Reason::time_out:
       return std::string("; --time-limit gives it more; ") + other_triangles;
+    case Reason::memory:
+      return "; where --memory-limit was given, more may do; larger tetrahedra need less";
     case Reason::signal:
     case Reason::stopped:
     case Reason::bad_result:

@@ -34,9 +34,6 @@ void add_options(CLI::App& command, RemeshArguments& a) {
   const auto length =
       number([](double l) { return l > 0 && std::isfinite(l); }, "above 0, for instance 0.02", "L");
   add_surface_paths(command, a.input, a.output);
-  command.get_option("--output")
-      ->description(std::string(files::written_surface_formats) +
-                    "; tetrahedra: " + files::written_simplex_formats);
   auto* target = command.add_option_group("Targets", "give one: the edge length");
   target->add_option("--length", a.length, "edge length, in the units of the file")->check(length);
   target

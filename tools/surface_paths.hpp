@@ -8,10 +8,14 @@
 
 namespace multimesh::tools {
 
-/// IN and -o of the commands that read a surface and write one.
+/// IN and -o of the commands that read a surface, which may be that of tetrahedra, and write it.
 inline void add_surface_paths(CLI::App& command, std::string& input, std::string& output) {
   command.add_option("IN", input, files::all_formats)->required();
-  command.add_option("-o,--output", output, files::written_surface_formats)->required();
+  command
+      .add_option(
+          "-o,--output", output,
+          std::string(files::written_surface_formats) + "; tetrahedra: " + files::written_simplex_formats)
+      ->required();
 }
 
 }  // namespace multimesh::tools

@@ -35,7 +35,7 @@ struct TetrahedralizeArguments {
   std::string input, output;
   ReportOptions report;
   double feature_angle = 0, max_volume = 0, length = 0, relative_length = 0, ratio = 0, dihedral = 0;
-  double minutes = 10, weld = 0;
+  double minutes = 10, megabytes = 0, weld = 0;
   std::string keep = "winding";
   std::vector<std::string> regions, holes;
   files::DomainReadOptions taken;
@@ -62,6 +62,7 @@ tetgen::TetrahedralizeOptions tetgen_options(const TetrahedralizeArguments& a,
   o.min_dihedral = a.dihedral;
   o.split_surface = a.split_surface;
   o.time_limit = std::chrono::duration<double>(60 * a.minutes);
+  o.memory_limit = static_cast<std::uint64_t>(std::min(a.megabytes, 1e9) * 1e6);
   return o;
 }
 
@@ -205,6 +206,8 @@ void add_tetrahedralize_command(CLI::App& app, int& exit_code) {
                  "keep the surface's triangles, even if their edges are longer than --edge-length")
       ->excludes(split);
   command->add_option("--time-limit", a->minutes, "minutes")->check(positive_number())->capture_default_str();
+  command->add_option("--memory-limit", a->megabytes, "of the process that TetGen runs in; megabytes")
+      ->check(positive_number());
   add_periodic_option(*command, a->taken.no_periodic);
   add_format_options(*command, a->format);
   add_report_options(*command, a->report, "with the surface in 3D, before and after, and the numbers");

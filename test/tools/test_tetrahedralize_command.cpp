@@ -294,6 +294,21 @@ bool is_alive(pid_t process) {
   return ::kill(process, 0) == 0;
 }
 
+TEST_F(TetrahedralizeCommand, EndsAtTheMemoryLimit) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer needs a large address space";
+#endif
+  file("cube.obj", obj({{"", cube_at(0)}}));
+  const Ended e = run({"tetrahedralize", "cube.obj", "-o", "out.msh", "--split-surface", "--max-volume",
+                       "1e-6", "--memory-limit", "40"});
+  EXPECT_EQ(e.status, 1);
+  EXPECT_TRUE(contains(e.err, "cube.obj")) << e.err;
+  EXPECT_TRUE(contains(e.err, "--memory-limit")) << e.err;
+  EXPECT_FALSE(exists("out.msh"));
+  EXPECT_EQ(run({"tetrahedralize", "cube.obj", "-o", "out.msh", "--memory-limit", "2000"}).status, 0);
+  EXPECT_EQ(run({"tetrahedralize", "cube.obj", "-o", "out.msh", "--memory-limit", "0"}).status, 2);
+}
+
 TEST_F(TetrahedralizeCommand, EndsAtTheTimeLimitAndLeavesNoProcess) {
   file("cube.obj", obj({{"", cube_at(0)}}));
   const fs::path worker = file("worker.sh", "#!/bin/sh\necho $$ > pid\nexec sleep 100\n");
