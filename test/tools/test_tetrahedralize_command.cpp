@@ -342,8 +342,8 @@ TEST_F(TetrahedralizeCommand, TheWorkerEndsWithTheProgram) {
       start({"tetrahedralize", "cube.obj", "-o", "out.msh", "--max-volume", "1e-8", "--split-surface"});
   const fs::path children = fs::path("/proc") / std::to_string(p) / "task" / std::to_string(p) / "children";
   std::string worker;
-  for (int i = 0; i < 500 && worker.empty(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (int i = 0; i < 50'000 && worker.empty(); ++i) {  // killed as soon as it is there, before it has begun
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
     if (!fs::exists(children)) break;
     std::ifstream(children) >> worker;
   }

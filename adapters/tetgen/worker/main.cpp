@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // multimesh-tetgen-worker: TetGen in a process of its own, for one surface. Started by the library only.
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -30,6 +31,9 @@ void end_with_caller() {
 #ifdef __linux__
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
+  // It may have ended before: then nobody reads the log.
+  pollfd log{log_file, POLLOUT, 0};
+  if (::poll(&log, 1, 0) > 0 && (log.revents & POLLERR) != 0) ::_exit(1);
 }
 
 void limit_memory(std::uint64_t bytes) {
