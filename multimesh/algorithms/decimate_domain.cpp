@@ -7,15 +7,6 @@ namespace multimesh {
 
 namespace {
 
-/// With the surface as it is.
-ImproveOptions improvement(const TetDomain& domain, const DomainDecimateOptions& o, int passes) {
-  ImproveOptions improving;
-  improving.target_amips = o.target_amips;
-  improving.max_passes = passes;
-  improving.confined = {{NodeId::root, Confined::fixed}, {*domain.surface(), Confined::fixed}};
-  return improving;
-}
-
 /// The greatest length of an edge of the surface.
 double longest_edge(const TetDomain& domain) {
   const Mesh& surface = domain.tree().mesh(*domain.surface());
@@ -40,7 +31,9 @@ DomainDecimateResult decimate(TetDomain& domain, const DomainDecimateOptions& op
   DecimateOptions rounds = static_cast<const DecimateOptions&>(options);
   if (options.passes_between > 0)
     rounds.between_rounds = [&](std::span<Attribute* const> carried) {
-      ImproveOptions improving = improvement(domain, options, options.passes_between);
+      ImproveOptions improving{.target_amips = options.target_amips,
+                               .max_passes = options.passes_between,
+                               .confined = fixed_surface(domain)};
       improving.edge_length = longest_edge(domain);
       improving.carried.assign(carried.begin(), carried.end());
       // Places of the other embedding are prescribed by decimation meanwhile.
@@ -51,7 +44,10 @@ DomainDecimateResult decimate(TetDomain& domain, const DomainDecimateOptions& op
   DomainDecimateResult r;
   r.surface = decimate(embedding, *domain.surface(), rounds);
   if (options.passes_at_end > 0)
-    r.tetrahedra = improve(embedding, NodeId::root, improvement(domain, options, options.passes_at_end));
+    r.tetrahedra = improve(embedding, NodeId::root,
+                           {.target_amips = options.target_amips,
+                            .max_passes = options.passes_at_end,
+                            .confined = fixed_surface(domain)});
   return r;
 }
 

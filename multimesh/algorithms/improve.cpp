@@ -175,12 +175,18 @@ struct LockedDomain {
   LockedDomain(TetDomain& domain, const DomainImproveOptions& o) : embedding(domain.embedding()), options(o) {
     lock(embedding, domain, o);
     if (!o.lock_surface) return;
-    options.confined.push_back({NodeId::root, Confined::fixed});
-    if (domain.surface()) options.confined.push_back({*domain.surface(), Confined::fixed});
+    const std::vector<Confinement> fixed = fixed_surface(domain);
+    options.confined.insert(options.confined.end(), fixed.begin(), fixed.end());
   }
 };
 
 }  // namespace
+
+std::vector<Confinement> fixed_surface(const TetDomain& domain) {
+  std::vector<Confinement> fixed{{NodeId::root, Confined::fixed}};
+  if (domain.surface()) fixed.push_back({*domain.surface(), Confined::fixed});
+  return fixed;
+}
 
 ImproveResult improve(TetDomain& domain, const DomainImproveOptions& options) {
   const LockedDomain locked(domain, options);

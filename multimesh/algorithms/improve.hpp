@@ -72,6 +72,9 @@ struct ImproveOptions {
   std::function<void(const ImproveProgress&)> progress = {};
 };
 
+/// That the surface of a domain stays as it is: all that bounds its tetrahedra or is between them.
+std::vector<Confinement> fixed_surface(const TetDomain& domain);
+
 /// Of a TetDomain, by its tags.
 struct DomainImproveOptions : ImproveOptions, DomainLocks {
   bool lock_surface = false;  ///< its vertices, edges and triangles stay the same ones, curves on it too

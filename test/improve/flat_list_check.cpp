@@ -113,7 +113,7 @@ FlatListFacts facts_of(const TaggedTetrahedra& list) {
   return facts;
 }
 
-std::string compare(const FlatListFacts& a, const FlatListFacts& b) {
+std::string compare(const FlatListFacts& a, const FlatListFacts& b, double relative) {
   std::ostringstream text;
   const auto same = [&](const char* what, auto before, auto after, double tolerance) {
     if (std::abs(static_cast<double>(before - after)) > tolerance)
@@ -126,10 +126,10 @@ std::string compare(const FlatListFacts& a, const FlatListFacts& b) {
   same("pinched edges", a.pinched_edges, b.pinched_edges, 0);
   same("crowded faces", a.crowded_faces, b.crowded_faces, 0);
   same("hanging", a.hanging, b.hanging, 0);
-  same("boundary area", a.boundary_area, b.boundary_area, 1e-11 * a.boundary_area);
+  same("boundary area", a.boundary_area, b.boundary_area, relative * a.boundary_area);
   if (a.volumes.size() != b.volumes.size()) text << "other regions; ";
   for (const auto& [region, volume] : a.volumes)
-    same("volume", volume, b.volumes.contains(region) ? b.volumes.at(region) : 0, 1e-11 * volume);
+    same("volume", volume, b.volumes.contains(region) ? b.volumes.at(region) : 0, relative * volume);
   return text.str();
 }
 

@@ -19,7 +19,7 @@ struct FlatListFacts {
 
 FlatListFacts facts_of(const TaggedTetrahedra& list);
 
-/// A sentence for each fact that differs; empty if none does.
-std::string compare(const FlatListFacts& before, const FlatListFacts& after);
+/// A sentence for each fact that differs; empty if none does. `relative`: by how much areas and volumes may.
+std::string compare(const FlatListFacts& before, const FlatListFacts& after, double relative = 1e-11);
 
 }  // namespace multimesh::test
