@@ -25,6 +25,10 @@ class Coordinates {
   /// The place of another copy of v in this mesh when v is at x: also x, except in periodic tiles.
   virtual Vec3 place_of_copy(Index /*copy*/, Index /*v*/, const Vec3& x) const { return x; }
 
+  /// Where the vertex may be instead of at x: the nearest such place. In a periodic tile whose sides stay
+  /// flat, a vertex of a side stays in its plane.
+  virtual Vec3 allowed(Index /*v*/, const Vec3& x) const { return x; }
+
   /// What at() gives after set(): of a type with fewer digits.
   virtual Vec3 rounded(const Vec3& x) const { return x; }
   /// The place that the merged vertex of a collapse will have.
@@ -110,6 +114,7 @@ class CoordinatesFromParent final : public Coordinates {
   /// Only as part of a relocation.
   void set(Index v, const Vec3& x) override;
   Vec3 place_of_copy(Index copy, Index v, const Vec3& x) const override;
+  Vec3 allowed(Index v, const Vec3& x) const override { return above_.allowed(above(v), x); }
   Vec3 rounded(const Vec3& x) const override { return above_.rounded(x); }
   /// As the mesh above has it, or will have it. \pre the change has its vertices there
   Vec3 merged(const VertexChange& c) const override { return above_.merged(c); }

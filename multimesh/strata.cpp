@@ -124,10 +124,20 @@ bool Strata::parts_differ(Dart f, Dart beyond) const {
   return false;
 }
 
+// The face as the facet on its other side has it; that may be at another preimage.
+Dart Strata::beyond(Dart f) const {
+  const Dart across = mesh_.switch_dart(f, 3);
+  if (across != no_dart || !may_be(f, 2, copied) || !has_preimages_beside(f, 2)) return across;
+  const auto other = [&](const Copy& c) { return mesh_.facet(c.dart) != mesh_.facet(f); };
+  const std::span<const Copy> all = copies_.of(node_);
+  const auto found = std::ranges::find_if(all, other);
+  return found == all.end() ? no_dart : found->dart;
+}
+
 bool Strata::is_wall(Dart f) const {
   if (!may_be(f, 2, on_face)) return false;
-  const Dart beyond = mesh_.switch_dart(f, 3);
-  return beyond == no_dart || parts_differ(f, beyond) || any_over(f, 2, [](NodeId, Index) { return true; });
+  const Dart across = beyond(f);
+  return across == no_dart || parts_differ(f, across) || any_over(f, 2, [](NodeId, Index) { return true; });
 }
 
 bool Strata::is_curve(Dart e) const {
@@ -147,7 +157,6 @@ bool Strata::stays(NodeId n, Index facet) const {
          std::ranges::any_of(kept_->facets, [&](const SimplicesStay* s) { return s->stays(n, facet); });
 }
 
-// What is done to one preimage is done to all, of which nobody looks at the others.
 bool Strata::has_preimages_beside(Dart d, int k) const {
   if (node_ == NodeId::root) return false;
   copies_.collect(tree_, node_, d, k);
@@ -155,7 +164,6 @@ bool Strata::has_preimages_beside(Dart d, int k) const {
 }
 
 bool Strata::wall_stays(Dart f) const {
-  if (has_preimages_beside(f, 2)) return true;
   if (fixed_.empty() && !may_facets_stay()) return false;
   bool has_mesh = false;
   const auto stays_there = [&](NodeId n, Index facet) {
@@ -167,7 +175,6 @@ bool Strata::wall_stays(Dart f) const {
 
 bool Strata::edge_stays(Dart e) const {
   if (!may_be(e, 1, fixed)) return false;
-  if (has_preimages_beside(e, 1)) return true;
   if (kept_ &&
       std::ranges::any_of(kept_->edges, [&](const auto& k) { return k.first == node_ && k.second(e); }))
     return true;
@@ -185,7 +192,9 @@ void Strata::tabulate() {
   for (Index v = 0; v < mesh_.capacity(0); ++v) {
     if (!mesh_.is_live(0, v)) continue;
     const Dart d = mesh_.dart_of(0, v);
-    if (d != no_dart && (is_locked(d) || has_preimages_beside(d, 0))) mark(d, fixed);
+    if (d == no_dart) continue;
+    if (is_locked(d)) mark(d, fixed);
+    if (has_preimages_beside(d, 0)) mark(d, copied);
   }
   mark_facets(mark);
   for (const NodeId n : tree_.nodes()) {

@@ -40,8 +40,9 @@ class Strata {
   enum Stratum : std::uint8_t {
     on_face = 1,   ///< a wall contains it (dimension 3)
     on_curve = 2,  ///< a curve passes through it
-    fixed = 4,  ///< it keeps its place: locked, the end of a curve, where curves meet, a corner of something
-                ///< that stays, or one of several preimages of one vertex
+    fixed = 4,     ///< it keeps its place: locked, the end of a curve, where curves meet, or a corner of
+                   ///< something that stays
+    copied = 8,    ///< it is one of several preimages of one vertex: what is done to one is done to all
   };
 
   /// By the maps alone.
@@ -70,7 +71,8 @@ class Strata {
   // --- of any mesh
   /// Whether the vertex keeps its place in this mesh or the root.
   bool is_locked(Dart vertex) const;
-  /// Whether the face is in the boundary, between facets of different parts, or in a mesh of dimension 2.
+  /// Whether the face is in the boundary, between facets of different parts, or in a mesh of dimension 2. A
+  /// face with another preimage is in the boundary of this mesh only, and lies between facets of both.
   /// Dimension 3
   bool is_wall(Dart f) const;
   /// Whether the edge is in a mesh of dimension 1; of a surface: whether it is not plain.
@@ -91,7 +93,8 @@ class Strata {
   /// edges says what new vertices are. Cost: linear
   void tabulate();
   std::uint8_t of(Index v) const { return strata_[v]; }
-  bool is_free(Index v) const { return strata_[v] == 0; }
+  bool is_free(Index v) const { return (strata_[v] & ~copied) == 0; }
+  bool is_copied(Index v) const { return (strata_[v] & copied) != 0; }
   bool is_fixed(Index v) const { return (strata_[v] & fixed) != 0; }
   void set(Index v, std::uint8_t strata) {
     if (v >= strata_.size()) strata_.resize(v + v / 2 + 1, 0);
@@ -107,6 +110,7 @@ class Strata {
   template <class Visit>
   bool any_over(Dart d, int k, const Visit& visit) const;
   bool parts_differ(Dart f, Dart beyond) const;
+  Dart beyond(Dart f) const;
   bool may_be(Dart d, int k, Stratum stratum) const;
   template <class Mark>
   void mark_facets(const Mark& mark) const;

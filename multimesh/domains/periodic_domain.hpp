@@ -77,6 +77,13 @@ struct PeriodicReport {
   std::size_t inverted_facets = 0;    ///< with negative or no volume, after that
 };
 
+/// What algorithms may do to the sides of a tile.
+enum class TileSides : std::uint8_t {
+  flat,    ///< each side that lies in one plane stays there; its vertices move within it
+  free,    ///< they move like the inside, all copies alike
+  frozen,  ///< nothing
+};
+
 /// A periodic cell as a multimesh:
 ///
 ///       root         the tile with its opposite sides glued (a torus, a cylinder, ...); no positions
@@ -120,12 +127,11 @@ class PeriodicDomain {
   const VertexAttribute<LatticeVector>& offsets() const;
   /// Makes both, and the sources of vertices, follow the operations.
   void attach(Propagation& propagation);
-  /// The tile with its positions, for algorithms on it and on meshes below it. A vertex moves with
-  /// all its copies, and no facet may be inverted (triangles, as seen against the mean normal: unless
-  /// some are at first). Side edges are curves: vertices of sides stay on them, and their ends do not
-  /// move. The root has no positions, nor have the interfaces. Must not outlive the domain. Cost:
-  /// linear
-  Embedding embedding();
+  /// The tile with its positions, for algorithms on it and on meshes below it. A vertex moves with all its
+  /// copies, and no facet may be inverted (triangles, as seen against the mean normal: unless some are at
+  /// first). In a tile of triangles, side edges are curves: vertices of sides stay on them, and their ends do
+  /// not move. The root has no positions, nor have the interfaces. Must not outlive the domain. Cost: linear
+  Embedding embedding(TileSides sides = TileSides::flat);
 
   /// For the tile as built: the facet and the vertex of the input; no_index for vertices of `refine`.
   const std::vector<Index>& input_facets() const;
@@ -146,7 +152,8 @@ class PeriodicDomain {
   /// Adds the boundary of the material within the tile, without the glued sides, as a child of the tile.
   /// \return nothing if there is none. \throw as add_child_from_tags
   std::optional<NodeId> add_surface();
-  /// Adds the glued sides as a child of the tile. \return nothing if there are none
+  /// Adds the glued sides as a child of the tile; algorithms then take them for a surface that is kept.
+  /// \return nothing if there are none
   std::optional<NodeId> add_cuts();
   /// Adds the faces between different regions as a child of the root, because they may lie in the sides.
   /// Regions then keep their shape. \return nothing if there are none

@@ -92,8 +92,10 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   work_.read_ring(e, ring_);
   read_edge_state(ring_);
   const bool surface = edge_.faces.size() == 2;
-  if (edge_.curve || edge_.locked || (!edge_.is_free() && !surface) || ring_.size() > largest_ring ||
-      ring_.rim.size() < 3 ||
+  // What is swapped in a torus may not be in its tile.
+  work_.read_copies(e, 1, copies_);
+  if (copies_.size() > 1 || edge_.curve || edge_.locked || (!edge_.is_free() && !surface) ||
+      ring_.size() > largest_ring || ring_.rim.size() < 3 ||
       (surface && !may_exchange_diagonals(point(ring_.a), point(ring_.b), point(ring_.rim[edge_.faces[0]]),
                                           point(ring_.rim[edge_.faces[1]]), work_.flatness()))) {
     note(Kind::edge_swap, low, high, demand);
@@ -127,6 +129,32 @@ bool Candidates::may_split_held(const Vec3& middle, HeldSplits splits) const {
                              middle));
 }
 
+void Candidates::read_halves(const Ring& ring) {
+  const auto seen = [&](Index v) { return work_.seen_from(ring_.a, ring.a, v); };
+  const Vec3 &a = point(ring_.a), &b = point(ring_.b);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec3 x = seen(ring.rim[i]), y = seen(ring.next(i));
+    opposite_.push_back({a, y, x});
+    opposite_.push_back({b, x, y});
+  }
+}
+
+// Adds what is around the other copies of the edge. \return the worst quality there
+double Candidates::read_copies_of_edge(Dart e) {
+  work_.read_copies(e, 1, copies_);
+  double worst = 0;
+  const EdgeState here = edge_;
+  for (std::size_t i = 1; i < copies_.size(); ++i) {
+    work_.read_ring(copies_[i], beside_);
+    read_edge_state(beside_);
+    edge_.locked = edge_.locked || here.locked;
+    edge_.faces.insert(edge_.faces.end(), here.faces.begin(), here.faces.end());
+    worst = std::max(worst, ring_quality(beside_));
+    read_halves(beside_);
+  }
+  return worst;
+}
+
 void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
   const auto [low, high] = ends(e);
   if (is_refused_already(Kind::split, low, high, demand)) return;
@@ -134,16 +162,13 @@ void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
   read_edge_state(ring_);
   const Vec3 &a = point(ring_.a), &b = point(ring_.b);
   const Vec3 middle = (a + b) / 2;  // rounded once
+  opposite_.clear();
+  read_halves(ring_);
+  const double before = std::max(ring_quality(ring_), read_copies_of_edge(e));
   if (edge_.locked) return refuse(Kind::split, Why::held);
   if ((b - a).norm() < 2 * demand.shortest) return refuse(Kind::split, Why::length);
-  const double before = ring_quality(ring_);
-  opposite_.clear();
-  for (std::size_t i = 0; i < ring_.size(); ++i) {
-    const Vec3 &x = point(ring_.rim[i]), &y = point(ring_.next(i));
-    opposite_.push_back({a, y, x});
-    opposite_.push_back({b, x, y});
-  }
-  const Vec3 place = edge_.is_free() && !demand.in_middle ? best_place(middle, opposite_) : middle;
+  const bool at_best = edge_.is_free() && copies_.size() == 1 && !demand.in_middle;
+  const Vec3 place = at_best ? best_place(middle, opposite_) : middle;
   const double limit = std::min(demand.limit(before), best.after);
   const double after = worst_quality(place, opposite_, limit);
   if (!(after < limit)) {
@@ -157,9 +182,24 @@ void Candidates::split(Dart e, const Demand& demand, Candidate& best) {
   best = {Kind::split, ring_.darts.front(), before, after, place, strata, false, strata != 0};
 }
 
-double Candidates::merged_quality(Index b, double limit) const {
+// Which vertices become which: those of the edge, and of its copies. False if the first has other copies.
+bool Candidates::read_merging(Dart e) {
+  const Mesh& mesh = work_.mesh();
+  merging_.clear();
+  work_.read_copies(e, 1, copies_);
+  for (const Dart copy : copies_)
+    merging_.emplace_back(mesh.vertex(copy), mesh.vertex(mesh.reorder(copy, exchange_ends)));
+  if (!work_.is_copied(mesh.vertex(e))) return true;
+  work_.read_copies(e, 0, copies_);
+  return copies_.size() == merging_.size();
+}
+
+double Candidates::merged_quality(double limit) const {
   double worst = 0;
   for (const Corners& c : star_) {
+    Index b = merging_.front().second;
+    for (const auto& [from, to] : merging_)
+      if (from == c[0]) b = to;
     if (c[1] == b || c[2] == b || c[3] == b) continue;
     worst = std::max(worst, work_.quality_of(Corners{b, c[1], c[2], c[3]}, limit));
     if (worst >= limit) break;
@@ -177,17 +217,22 @@ void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
   if (!is_free && (work_.strata().is_fixed(a) || (demand.remember && refusals_.knows_held(a)) ||
                    (work_.strata().of(a) & ~work_.strata().of(b) & ~Strata::fixed)))
     return refuse(Kind::collapse, Why::held);
+  if (!read_merging(e) || allowed(a, point(b)) != point(b)) {
+    note(Kind::collapse, a, b, demand);
+    return refuse(Kind::collapse, Why::held);
+  }
   read_star_at(e);
   const double before = star_quality_;
   const double limit = std::min(demand.limit(before), best.after);
-  const double after = merged_quality(b, limit);
+  const double after = merged_quality(limit);
   if (!(after < limit)) {
     if (!(after < demand.limit(before))) note(Kind::collapse, a, b, demand);
     return refuse_worse(Kind::collapse, after);
   }
   for (const Corners& c : star_)
     for (std::size_t i = 1; i < 4; ++i)
-      if (demand.is_too_long(point(c[i]), point(b))) return refuse(Kind::collapse, Why::length);
+      if (demand.is_too_long(work_.seen_from(a, c[0], c[i]), point(b)))
+        return refuse(Kind::collapse, Why::length);
   if (!is_free && !(read_place(e, demand) && place_.allows_merging(b))) {
     note(Kind::collapse, a, b, demand);
     return refuse(Kind::collapse, Why::held);
@@ -225,29 +270,41 @@ void Candidates::face_swap(Dart f, const Demand& demand, Candidate& best) {
 
 // --- vertices ------------------------------------------------------------------------------------------
 
-void Candidates::read_opposite(const std::vector<Corners>& star) {
+void Candidates::read_opposite(Index v) {
   opposite_.clear();
-  for (const Corners& c : star) opposite_.push_back({point(c[1]), point(c[2]), point(c[3])});
+  const auto seen = [&](const Corners& c, std::size_t i) { return work_.seen_from(v, c[0], c[i]); };
+  for (const Corners& c : star_) opposite_.push_back({seen(c, 1), seen(c, 2), seen(c, 3)});
+}
+
+// Along the axes along which it may move.
+Axes Candidates::allowed_axes(Index v) const {
+  Axes axes{true, true, true};
+  if (!work_.is_copied(v)) return axes;
+  const Vec3& p = point(v);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vec3 x = p;
+    x[i] += 1;
+    axes[i] = work_.allowed(v, x) == x;
+  }
+  return axes;
 }
 
 void Candidates::smoothing(Dart v, const Demand& demand, Candidate& best) {
   const Index a = work_.mesh().vertex(v);
   if (is_refused_already(Kind::smoothing, a, a, demand)) return;
   const bool is_free = work_.strata().is_free(a);
-  Axes axes{true, true, true};
+  Axes axes = allowed_axes(a);
   if (!is_free) {
-    if (read_place(v, demand))
-      axes = place_.axes();
-    else
-      axes = {};
-    if (axes == Axes{}) {
-      note(Kind::smoothing, a, a, demand);
-      return refuse(Kind::smoothing, Why::held);
-    }
+    const Axes held = read_place(v, demand) ? place_.axes() : Axes{};
+    for (std::size_t i = 0; i < 3; ++i) axes[i] = axes[i] && held[i];
+  }
+  if (axes == Axes{}) {
+    note(Kind::smoothing, a, a, demand);
+    return refuse(Kind::smoothing, Why::held);
   }
   read_star_at(v);
   const double before = star_quality_;
-  read_opposite(star_);
+  read_opposite(a);
   constexpr int sharpness = 4;
   Vec3 place = best_place(point(a), opposite_, axes);
   const double limit = std::min(demand.limit(before), best.after);
@@ -263,7 +320,8 @@ void Candidates::smoothing(Dart v, const Demand& demand, Candidate& best) {
   if (!is_free && !place_.allows(place)) return refuse(Kind::smoothing, Why::held);
   for (const Corners& c : star_)
     for (std::size_t i = 1; i < 4; ++i)
-      if (demand.is_too_long(point(c[i]), place)) return refuse(Kind::smoothing, Why::length);
+      if (demand.is_too_long(work_.seen_from(a, c[0], c[i]), place))
+        return refuse(Kind::smoothing, Why::length);
   best = {Kind::smoothing, v, before, after, place, 0, false, !is_free};
 }
 

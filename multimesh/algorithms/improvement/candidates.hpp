@@ -81,6 +81,8 @@ class Candidates {
     bool is_free() const { return !curve && !locked && faces.empty(); }
   };
   void read_edge_state(const Ring& ring);
+  void read_halves(const Ring& ring);
+  double read_copies_of_edge(Dart e);
   bool may_split_held(const Vec3& middle, HeldSplits splits) const;
   void refuse(Kind kind, Why why) {
     ++counts_[static_cast<std::size_t>(kind)].refused[static_cast<std::size_t>(why)];
@@ -104,9 +106,12 @@ class Candidates {
   double ring_quality(const Ring& ring) const;
   double star_quality(const std::vector<Corners>& star) const;
   double fan_quality(const Ring& ring, std::size_t apex, double limit) const;
-  double merged_quality(Index b, double limit) const;
+  bool read_merging(Dart e);
+  double merged_quality(double limit) const;
+  Axes allowed_axes(Index v) const;
+  Vec3 allowed(Index v, const Vec3& x) const { return work_.is_copied(v) ? work_.allowed(v, x) : x; }
   bool is_fan_too_long(const Ring& ring, std::size_t apex, const Demand& demand) const;
-  void read_opposite(const std::vector<Corners>& star);
+  void read_opposite(Index v);
   const Vec3& point(Index v) const { return work_.point(v); }
 
   const Workspace& work_;
@@ -120,6 +125,10 @@ class Candidates {
   Refusals::State star_state_ = 0;
   double star_quality_ = 0;
   std::vector<Opposite> opposite_;
+  /// Of an edge with copies:
+  DartBuffer copies_;
+  std::vector<std::pair<Index, Index>> merging_;  ///< their vertices: each first one goes to the second
+  Ring beside_;
 };
 
 }  // namespace multimesh::improvement

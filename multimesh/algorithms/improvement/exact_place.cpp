@@ -50,60 +50,71 @@ bool between(const Vec3& a, const Vec3& p, const Vec3& b) {
 bool ExactPlace::read(Dart at_v) {
   v_ = work_.mesh().vertex(at_v);
   faces_.clear();
+  seen_.clear();
   n_curve_edges_ = 0;
-  curve_ = {no_index, no_index};
+  curve_ = {};
   const std::uint8_t strata = work_.strata().of(v_);
   if (strata & Strata::fixed) return false;
-  work_.mesh().star(at_v, 0, star_);
-  if (strata & Strata::on_face) read_faces();
+  work_.read_copies(at_v, 0, copies_);
+  for (const Dart copy : copies_) {
+    work_.mesh().star(copy, 0, star_);
+    if (strata & Strata::on_face) read_faces(copy);
+    if (strata & Strata::on_curve) read_curves(copy);
+  }
+  drop_repeated_faces();
   if (strata & Strata::on_curve) {
-    read_curves();
-    if (n_curve_edges_ != 2 || !curve_is_straight()) return false;
+    n_curve_edges_ = seen_.size();
+    if (n_curve_edges_ != 2) return false;
+    curve_ = {seen_[0], seen_[1]};
+    if (!curve_is_straight()) return false;
   }
   return join_sheets() && sheets_are_plane();
 }
 
-void ExactPlace::read_faces() {
+void ExactPlace::read_faces(Dart copy) {
   const Mesh& mesh = work_.mesh();
+  const Index v = mesh.vertex(copy);
   for (const Dart t : star_)
     for (const Permutation p : {Permutation{}, permutation(0, 1, 3, 2), permutation(0, 2, 3, 1)}) {
       const Dart f = mesh.reorder(t, p);
       if (!work_.strata().is_wall(f)) continue;
       Index c[4];
       mesh.vertices(f, c);
-      const auto [low, high] = std::minmax(c[1], c[2]);
-      faces_.push_back({low, high, faces_.size()});
+      const auto [low, high] = std::minmax({beside(v, c[1]), beside(v, c[2])});
+      faces_.push_back({low, high, 0});
     }
-  const auto order = [](const Face& f, const Face& g) { return std::tie(f.p, f.q) < std::tie(g.p, g.q); };
+}
+
+void ExactPlace::drop_repeated_faces() {
+  const auto order = [](const Face& f, const Face& g) {
+    return std::tie(f.p.name, f.q.name) < std::tie(g.p.name, g.q.name);
+  };
   const auto same = [](const Face& f, const Face& g) { return f.p == g.p && f.q == g.q; };
   std::sort(faces_.begin(), faces_.end(), order);
   faces_.erase(std::unique(faces_.begin(), faces_.end(), same), faces_.end());
 }
 
-void ExactPlace::read_curves() {
+void ExactPlace::read_curves(Dart copy) {
   const Mesh& mesh = work_.mesh();
-  seen_.clear();
   for (const Dart t : star_)
     for (const Permutation p : {Permutation{}, permutation(0, 2, 1, 3), permutation(0, 3, 1, 2)}) {
       const Dart e = mesh.reorder(t, p);
-      const Index w = mesh.vertex(mesh.reorder(e, exchange_ends));
-      if (!work_.strata().is_curve(e) || std::find(seen_.begin(), seen_.end(), w) != seen_.end()) continue;
-      seen_.push_back(w);
+      if (!work_.strata().is_curve(e)) continue;
+      const Beside w = beside(mesh.vertex(copy), mesh.vertex(mesh.reorder(e, exchange_ends)));
+      if (std::find(seen_.begin(), seen_.end(), w) == seen_.end()) seen_.push_back(w);
     }
-  n_curve_edges_ = seen_.size();
-  std::copy_n(seen_.begin(), std::min<std::size_t>(2, seen_.size()), curve_.begin());
 }
 
 bool ExactPlace::curve_is_straight() const {
-  return flatness_.collinear(point(curve_[0]), point(v_), point(curve_[1])) &&
-         between(point(curve_[0]), point(v_), point(curve_[1]));
+  const Vec3 &v = work_.point(v_), a = point(curve_[0]), b = point(curve_[1]);
+  return flatness_.collinear(a, v, b) && between(a, v, b);
 }
 
 // Faces that meet in an edge that is no curve are of one sheet. False unless just two meet in each of these.
 bool ExactPlace::join_sheets() {
   for (std::size_t i = 0; i < faces_.size(); ++i) faces_[i].sheet = i;
   for (const Face& f : faces_)
-    for (const Index p : {f.p, f.q}) {
+    for (const Beside& p : {f.p, f.q}) {
       if (is_curve_end(p)) continue;
       std::size_t n = 0;
       for (const Face& g : faces_) n += g.p == p || g.q == p;
@@ -122,31 +133,34 @@ bool ExactPlace::join_sheets() {
 }
 
 bool ExactPlace::sheets_are_plane() const {
+  const Vec3& v = work_.point(v_);
   return std::all_of(faces_.begin(), faces_.end(), [&](const Face& f) {
     const Face& first = faces_[f.sheet];  // sheets are named after their first face
     return (n_curve_edges_ > 0 || f.sheet == 0) &&
-           flatness_.coplanar(point(v_), point(first.p), point(first.q), point(f.p)) &&
-           flatness_.coplanar(point(v_), point(first.p), point(first.q), point(f.q));
+           flatness_.coplanar(v, point(first.p), point(first.q), point(f.p)) &&
+           flatness_.coplanar(v, point(first.p), point(first.q), point(f.q));
   });
 }
 
 bool ExactPlace::allows_merging(Index b) const {
-  if (n_curve_edges_ > 0) return is_curve_end(b) && allows(point(b), b);
-  const bool on_sheet =
-      std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) { return f.p == b || f.q == b; });
-  return on_sheet && allows(point(b), b);
+  const Index name = work_.name(b);
+  if (n_curve_edges_ > 0) return is_curve_end({b, v_, name}) && allows(work_.point(b), name);
+  const bool on_sheet = std::any_of(faces_.begin(), faces_.end(),
+                                    [&](const Face& f) { return f.p.name == name || f.q.name == name; });
+  return on_sheet && allows(work_.point(b), name);
 }
 
 bool ExactPlace::allows(const Vec3& p, Index merged) const {
+  const Vec3& v = work_.point(v_);
   if (n_curve_edges_ > 0) {
-    const Vec3 &a = point(curve_[0]), &b = point(curve_[1]);
+    const Vec3 a = point(curve_[0]), b = point(curve_[1]);
     if (!flatness_.collinear(a, p, b)) return false;
     if (merged == no_index && !between(a, p, b)) return false;
   }
   return std::all_of(faces_.begin(), faces_.end(), [&](const Face& f) {
-    if (f.p == merged || f.q == merged) return true;
-    return flatness_.coplanar(point(v_), point(f.p), point(f.q), p) &&
-           same_turn(point(v_), p, point(f.p), point(f.q));
+    if (f.p.name == merged || f.q.name == merged) return true;
+    const Vec3 at_p = point(f.p), at_q = point(f.q);
+    return flatness_.coplanar(v, at_p, at_q, p) && same_turn(v, p, at_p, at_q);
   });
 }
 
@@ -158,7 +172,7 @@ std::array<bool, 3> ExactPlace::axes() const {
       for (int i = 0; i < 3; ++i)
         parallel = parallel && (i == axis || point(curve_[0])[i] == point(curve_[1])[i]);
     for (const Face& f : faces_)
-      parallel = parallel && turn_without(axis, point(v_), point(f.p), point(f.q)) == 0;
+      parallel = parallel && turn_without(axis, work_.point(v_), point(f.p), point(f.q)) == 0;
     free[static_cast<std::size_t>(axis)] = parallel;
   }
   return free;

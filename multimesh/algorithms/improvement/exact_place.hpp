@@ -10,7 +10,8 @@ namespace multimesh::improvement {
 
 /// Where a vertex of the surface or of a curve may move so that surface and curves stay the same sets of
 /// points, exactly: within the plane of its faces, if all of them lie in one; along its curve, if that is
-/// straight there and each sheet of the surface at it is plane. Flatness defines plane and straight.
+/// straight there and each sheet of the surface at it is plane. Flatness defines plane and straight. The
+/// faces and curves at all copies of the vertex count, as seen from one of them.
 class ExactPlace {
  public:
   explicit ExactPlace(const Workspace& work) : work_(work), flatness_(work.flatness()) {}
@@ -27,28 +28,37 @@ class ExactPlace {
   std::array<bool, 3> axes() const;
 
  private:
+  /// A vertex beside v, or beside a copy of v and then seen from v.
+  struct Beside {
+    Index vertex = no_index, copy = no_index;
+    Index name = no_index;  ///< the same for all its copies
+    friend bool operator==(const Beside& x, const Beside& y) { return x.name == y.name; }
+    friend bool operator<(const Beside& x, const Beside& y) { return x.name < y.name; }
+  };
   /// A face (v,p,q).
   struct Face {
-    Index p, q;
+    Beside p, q;
     std::size_t sheet;
   };
-  void read_faces();
-  void read_curves();
+  void read_faces(Dart copy);
+  void drop_repeated_faces();
+  void read_curves(Dart copy);
+  Beside beside(Index copy, Index vertex) const { return {vertex, copy, work_.name(vertex)}; }
   bool join_sheets();
-  bool is_curve_end(Index p) const { return p == curve_[0] || p == curve_[1]; }
+  bool is_curve_end(const Beside& p) const { return p == curve_[0] || p == curve_[1]; }
   bool curve_is_straight() const;
   bool sheets_are_plane() const;
   bool allows(const Vec3& p, Index merged) const;
-  const Vec3& point(Index v) const { return work_.point(v); }
+  Vec3 point(const Beside& b) const { return work_.seen_from(v_, b.copy, b.vertex); }
 
   const Workspace& work_;
   Flatness flatness_;
   Index v_ = no_index;
   std::vector<Face> faces_;
-  std::array<Index, 2> curve_{};  ///< the neighbours along the curve
+  std::array<Beside, 2> curve_{};  ///< the neighbours along the curve
   std::size_t n_curve_edges_ = 0;
-  DartBuffer star_;
-  std::vector<Index> seen_;
+  DartBuffer copies_, star_;
+  std::vector<Beside> seen_;
 };
 
 /// Whether the edge a-b of faces (a,b,x) and (a,b,y) may be replaced by x-y without changing the set of

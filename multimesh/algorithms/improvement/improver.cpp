@@ -67,7 +67,7 @@ bool Improver::take(const Candidate& c) {
   }
   ++count.done;
   ++done_;
-  if (trying_ && c.kind == Kind::split) fresh_.push_back(work_.mesh().vertex(at));
+  if (trying_ && c.kind == Kind::split) work_.add_copies(work_.mesh().vertex(at), fresh_);
   changed(at, c.surface);
   // It splits an edge of the face on its way: what is around that has new numbers, though nothing else.
   if (c.kind == Kind::face_swap)
@@ -80,8 +80,7 @@ void Improver::changed(Dart v, bool surface) {
   work_.read_star(v, star_);
   corners_.clear();
   for (const Index t : star_) {
-    const Corners c = work_.corners(t);
-    corners_.insert(corners_.end(), c.begin(), c.end());
+    for (const Index w : work_.corners(t)) work_.add_copies(w, corners_);
   }
   refusals_.change(corners_, surface);
   if (trying_)
@@ -97,8 +96,12 @@ void Improver::push(Index t) {
 // Near what is forced, a mesh of reasonable size cannot be good at once: what must be expected falls off with
 // each bisection.
 void Improver::grade(Index v, Index a, Index b) {
-  if (v >= expected_.size()) expected_.resize(v + v / 2 + 1, 3);
-  expected_[v] = std::sqrt(expected_[a] * expected_[b]);
+  corners_.clear();
+  work_.add_copies(v, corners_);
+  for (const Index copy : corners_) {
+    if (copy >= expected_.size()) expected_.resize(copy + copy / 2 + 1, 3);
+    expected_[copy] = std::sqrt(expected_[a] * expected_[b]);
+  }
 }
 
 // The cubed energy from which on a tetrahedron is worth new vertices.
@@ -256,8 +259,12 @@ Badness Improver::badness() const {
 }
 
 void Improver::keep(Index v) {
-  if (v >= kept_.size()) kept_.resize(v + v / 2 + 1, false);
-  kept_[v] = true;
+  corners_.clear();
+  work_.add_copies(v, corners_);
+  for (const Index copy : corners_) {
+    if (copy >= kept_.size()) kept_.resize(copy + copy / 2 + 1, false);
+    kept_[copy] = true;
+  }
 }
 
 Dart Improver::longest_edge(Index t) const {

@@ -129,6 +129,7 @@ class Improver {
   std::vector<bool> kept_;    ///< vertices made by refinement, which may not be collapsed at once
   std::vector<Index> fresh_;  ///< vertices made by the trial, which may not be collapsed at once
   mutable Ring ring_;
+  mutable DartBuffer copies_;
 };
 
 }  // namespace multimesh::improvement

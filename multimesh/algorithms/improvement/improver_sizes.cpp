@@ -90,7 +90,7 @@ EdgeLengths Improver::measure_lengths() const {
     if (!work_.is_live(t)) continue;
     const Corners c = work_.corners(t);
     for (const auto& [i, j] : edge_corners) {
-      if (const Index known = edges.size(); edges(c[i], c[j]) != known) continue;
+      if (const Index known = edges.size(); edges(work_.name(c[i]), work_.name(c[j])) != known) continue;
       const double length = (work_.point(c[i]) - work_.point(c[j])).norm();
       const double relative = options_.edge_length > 0 ? length / options_.edge_length : 1;
       m.shortest = std::min(m.shortest, length);

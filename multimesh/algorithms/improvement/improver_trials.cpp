@@ -94,8 +94,11 @@ Dart Improver::longest_edge_near(Index t) const {
   look_at(t);
   for (bool longer = true; longer;) {
     longer = false;
-    work_.read_ring(e, ring_);
-    for (const Dart d : ring_.darts) longer = look_at(work_.tet(d)) || longer;
+    work_.read_copies(e, 1, copies_);
+    for (const Dart copy : copies_) {
+      work_.read_ring(copy, ring_);
+      for (const Dart d : ring_.darts) longer = look_at(work_.tet(d)) || longer;
+    }
   }
   return e;
 }

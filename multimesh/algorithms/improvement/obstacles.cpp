@@ -49,7 +49,8 @@ void Obstacles::force(Dart at, const Forced& f) {
 
 // The angle from this face to the next one around the edge, through the tetrahedron of the dart.
 void Obstacles::read_edge(Dart e) {
-  if (work_.strata().edge_stays(e)) return;
+  work_.read_copies(e, 1, copies_);
+  if (copies_.size() > 1 || work_.strata().edge_stays(e)) return;
   work_.read_ring(e, ring_);
   work_.read_walls(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;
@@ -64,7 +65,7 @@ void Obstacles::read_edge(Dart e) {
     for (; last < ring_.size() && last != first && std::find(held.begin(), held.end(), last) == held.end();
          last = (last + 1) % ring_.rim.size())
       sum += angle(last);
-    if (is_thin_at(last)) continue;
+    if (is_thin_at(last) || std::find(held.begin(), held.end(), last) == held.end()) continue;
     const Forced forced{least_amips_at_dihedral(sum), sum * degrees, Force::edge};
     force(e, forced);
     force(work_.mesh().reorder(e, exchange_ends), forced);
@@ -77,7 +78,8 @@ bool Obstacles::is_thin_at(std::size_t rim) const {
 
 bool Obstacles::is_crease(Dart e) {
   if (work_.strata().is_curve(e)) return true;
-  if (work_.strata().edge_stays(e)) return false;  // of copies, the others are not looked at
+  work_.read_copies(e, 1, copies_);
+  if (copies_.size() > 1 || work_.strata().edge_stays(e)) return false;  // nothing is known of copies
   work_.read_ring(e, ring_);
   work_.read_walls(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;

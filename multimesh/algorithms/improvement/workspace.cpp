@@ -115,29 +115,66 @@ void Workspace::read_walls(const Ring& ring, std::vector<std::size_t>& faces) co
 }
 
 void Workspace::read_star(Dart v, std::vector<Corners>& star) const {
-  mesh_.star(v, 0, darts_);
   star.clear();
-  const Index centre = mesh_.vertex(v);
-  for (const Dart d : darts_) {
-    const Corners c = corners(tet(d));
-    const auto& p = from_corner[c[0] == centre ? 0 : c[1] == centre ? 1 : c[2] == centre ? 2 : 3];
-    star.push_back({c[p[0]], c[p[1]], c[p[2]], c[p[3]]});
+  read_copies(v, 0, centres_);
+  for (const Dart copy : centres_) {
+    mesh_.star(copy, 0, darts_);
+    const Index centre = mesh_.vertex(copy);
+    for (const Dart d : darts_) {
+      const Corners c = corners(tet(d));
+      const auto& p = from_corner[c[0] == centre ? 0 : c[1] == centre ? 1 : c[2] == centre ? 2 : 3];
+      star.push_back({c[p[0]], c[p[1]], c[p[2]], c[p[3]]});
+    }
   }
 }
 
 void Workspace::read_star(Dart v, std::vector<Index>& tets) const {
-  mesh_.star(v, 0, darts_);
   tets.clear();
-  for (const Dart d : darts_) tets.push_back(tet(d));
+  read_copies(v, 0, centres_);
+  for (const Dart copy : centres_) {
+    mesh_.star(copy, 0, darts_);
+    for (const Dart d : darts_) tets.push_back(tet(d));
+  }
 }
 
+// --- copies
+
+void Workspace::read_copies(Dart d, int k, DartBuffer& copies) const {
+  copies.assign(1, d);
+  const Index v = mesh_.vertex(d);
+  if (!is_copied(v) || (k > 0 && !is_copied(mesh_.vertex(mesh_.reorder(d, exchange_ends))))) return;
+  copies_.collect(tets_.tree(), node_, d, k);
+  for (const Copy& c : copies_.of(node_))
+    if (mesh_.vertex(c.dart) != v) copies.push_back(c.dart);
+}
+
+void Workspace::add_copies(Index v, std::vector<Index>& copies) const {
+  if (!is_copied(v)) return copies.push_back(v);
+  copies_.collect(tets_.tree(), node_, mesh_.dart_of(0, v), 0);
+  for (const Copy& c : copies_.of(node_)) copies.push_back(mesh_.vertex(c.dart));
+}
+
+Index Workspace::name(Index v) const {
+  if (!is_copied(v)) return v;
+  copies_.collect(tets_.tree(), node_, mesh_.dart_of(0, v), 0);
+  for (const Copy& c : copies_.of(node_)) v = std::min(v, mesh_.vertex(c.dart));
+  return v;
+}
+
+// --- operations
+
 Dart Workspace::split(Dart e, const Vec3& at, std::uint8_t strata) {
+  read_copies(e, 1, centres_);
+  const bool copied = centres_.size() > 1;
   Transaction both = operations_.transaction();
   const Outcome outcome = operations_.split(node_, e);
   if (!outcome) return no_dart;
   const Dart c = mesh_.reorder(outcome.dart, exchange_ends);
-  if (at != point(mesh_.vertex(c)) && !move(c, at)) return no_dart;
+  if (copied) strata |= Strata::copied;
   strata_.set(mesh_.vertex(c), strata);
+  read_copies(c, 0, centres_);
+  for (const Dart d : centres_) strata_.set(mesh_.vertex(d), strata);
+  if (at != point(mesh_.vertex(c)) ? !move(c, at) : copied && !is_positive_around(c)) return no_dart;
   both.commit();
   return outcome.dart;
 }
@@ -168,18 +205,21 @@ Dart Workspace::swap_face(Dart f) {
   return operations_.swap_face(node_, f).dart;
 }
 
-// Coordinates may be stored with fewer digits than were judged.
+// Coordinates may be stored with fewer digits than were judged, and copies at rounded places.
 bool Workspace::move(Dart v, const Vec3& to) {
   Transaction scope = operations_.transaction();
   const auto write = [&](const Event&) { tets_.positions().set(mesh_.vertex(v), to); };
   if (!operations_.relocate(node_, v, write)) return false;
-  if (point(mesh_.vertex(v)) != to) {
-    read_star(v, star_);
-    for (const Corners& c : star_)
-      if (!(quality_of(c) < std::numeric_limits<double>::infinity())) return false;
-  }
+  const Index moved = mesh_.vertex(v);
+  if ((point(moved) != to || is_copied(moved)) && !is_positive_around(v)) return false;
   scope.commit();
   return true;
+}
+
+bool Workspace::is_positive_around(Dart v) {
+  read_star(v, star_);
+  return std::ranges::all_of(
+      star_, [&](const Corners& c) { return quality_of(c) < std::numeric_limits<double>::infinity(); });
 }
 
 }  // namespace multimesh::improvement

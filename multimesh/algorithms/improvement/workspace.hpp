@@ -7,6 +7,7 @@
 #include "multimesh/algorithms/improve.hpp"
 #include "multimesh/algorithms/improvement/amips.hpp"
 #include "multimesh/algorithms/improvement/flatness.hpp"
+#include "multimesh/copy.hpp"
 #include "multimesh/embedding.hpp"
 #include "multimesh/strata.hpp"
 
@@ -71,10 +72,26 @@ class Workspace {
   }
   /// Positions i in the rim for which the face (a,b,rim[i]) is a wall.
   void read_walls(const Ring& ring, std::vector<std::size_t>& faces) const;
-  /// The tetrahedra around a vertex, which is the first corner of each. `v`: a dart at it.
+  /// The tetrahedra around a vertex, which is the first corner of each; those around its other copies, too.
+  /// `v`: a dart at it.
   void read_star(Dart v, std::vector<Corners>& star) const;
-  /// Live tetrahedra around a vertex.
+  /// Live tetrahedra around a vertex and its copies.
   void read_star(Dart v, std::vector<Index>& tets) const;
+
+  // --- copies: in a periodic tile, the vertices and edges that are one in the torus
+  bool is_copied(Index v) const { return strata_.is_copied(v); }
+  /// All copies of the k-simplex of a dart, which is the first of them. Their corners are in its order.
+  void read_copies(Dart d, int k, DartBuffer& copies) const;
+  /// All copies of a vertex.
+  void add_copies(Index v, std::vector<Index>& copies) const;
+  /// The same number for all copies of a vertex: the least of theirs.
+  Index name(Index v) const;
+  /// The place of a vertex as it is seen from a copy of `from` when that copy is seen at `from`.
+  Vec3 seen_from(Index from, Index copy, Index v) const {
+    return from == copy ? points_[v] : points_[v] + (points_[from] - points_[copy]);
+  }
+  /// Where the vertex may be instead of at x, see Coordinates::allowed.
+  Vec3 allowed(Index v, const Vec3& x) const { return tets_.positions().allowed(v, x); }
 
   // --- operations; no_dart if refused
   /// \return (a,c,..)
@@ -89,6 +106,8 @@ class Workspace {
   bool move(Dart v, const Vec3& to);
 
  private:
+  bool is_positive_around(Dart v);
+
   EmbeddedMesh tets_;
   NodeId node_;
   const Mesh& mesh_;
@@ -99,7 +118,8 @@ class Workspace {
   Flatness flatness_;
   DartBuffer found_;
   std::vector<Corners> star_;
-  mutable DartBuffer darts_;
+  mutable DartBuffer darts_, centres_;
+  mutable Copies copies_;
 };
 
 }  // namespace multimesh::improvement

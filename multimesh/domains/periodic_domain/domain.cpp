@@ -138,7 +138,8 @@ std::optional<NodeId> PeriodicDomain::add_surface() {
   return data_->add_sides(false);
 }
 std::optional<NodeId> PeriodicDomain::add_cuts() {
-  return data_->add_sides(true);
+  if (!data_->cuts) data_->cuts = data_->add_sides(true);
+  return data_->cuts;
 }
 
 std::optional<NodeId> PeriodicDomain::add_interfaces() {

@@ -110,6 +110,7 @@ struct PeriodicDomain::Data {
   std::vector<Index>* facet_source = nullptr;  // a property of the tile
   MultiMesh tree;
   NodeId tile = NodeId::root;
+  std::optional<NodeId> cuts;
   std::optional<VertexAttribute<Vec3>> positions;
   std::optional<VertexAttribute<LatticeVector>> offsets;
   std::optional<VertexAttribute<Index>> sources;

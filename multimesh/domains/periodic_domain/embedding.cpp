@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multimesh/domains/periodic_domain/domain_data.hpp"
 #include "multimesh/domains/periodic_domain/tile_coordinates.hpp"
 
 namespace multimesh {
@@ -16,6 +17,10 @@ constexpr double rounding = 1e-15;
 constexpr double solved = 1e-9;
 
 }  // namespace
+
+TileCoordinates::TileCoordinates(PeriodicDomain& domain, bool keep_flat) : domain_(domain) {
+  if (keep_flat) flat_.emplace(domain);
+}
 
 Vec3 TileCoordinates::place_of_copy(Index copy, Index v, const Vec3& x) const {
   const auto& offsets = domain_.offsets();
@@ -81,17 +86,20 @@ void CopiesKeepTheirOffsets::finish(const Event& event) {
   }
 }
 
-Embedding PeriodicDomain::embedding() {
+Embedding PeriodicDomain::embedding(TileSides sides) {
+  if (sides == TileSides::frozen) (void)add_cuts();
   Embedding e(tree());
   e.set(LegalityOptions{.contact = true});
   e.add(offsets());
   e.add(positions());
   e.add(sources_of_vertices());
   e.add<CopiesKeepTheirOffsets>(*this);
-  const Coordinates& places =
-      e.add_coordinates(std::make_unique<TileCoordinates>(*this), Embedding::Kind::space);
+  const Coordinates& places = e.add_coordinates(
+      std::make_unique<TileCoordinates>(*this, sides == TileSides::flat), Embedding::Kind::space);
   if (tree().mesh(tile()).dimension() == 3 || report().inverted_facets == 0)
     e.keep_orientation(places, mean_normal(*this));
+  if (sides == TileSides::frozen && data_->cuts)
+    e.keep("the sides of the tile are frozen", [cuts = *data_->cuts](NodeId n, Index) { return n == cuts; });
   return e;
 }
 

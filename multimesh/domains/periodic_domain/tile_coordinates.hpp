@@ -6,6 +6,7 @@
 
 #include "multimesh/coordinates.hpp"
 #include "multimesh/domains/periodic_domain.hpp"
+#include "multimesh/domains/periodic_domain/flat_sides.hpp"
 
 namespace multimesh {
 
@@ -13,13 +14,14 @@ namespace multimesh {
 /// of the one with the least offset, shifted.
 class TileCoordinates final : public Coordinates {
  public:
-  /// The domain must outlive it.
-  explicit TileCoordinates(PeriodicDomain& domain) : domain_(domain) {}
+  /// The domain must outlive it. `keep_flat`: flat sides stay flat.
+  TileCoordinates(PeriodicDomain& domain, bool keep_flat);
   NodeId node() const override { return domain_.tile(); }
   Vec3 at(Index v) const override { return domain_.positions()[v]; }
   /// A coordinate that changes only by rounding is left unchanged: flat sides stay flat.
   void set(Index v, const Vec3& x) override;
   Vec3 place_of_copy(Index copy, Index v, const Vec3& x) const override;
+  Vec3 allowed(Index v, const Vec3& x) const override { return flat_ ? flat_->allowed(v, x) : x; }
   Vec3 merged(const VertexChange& c) const override;
   /// A place may be given as seen from any copy: each takes the one nearest to its edge.
   void prescribe(Places places) override;
@@ -27,6 +29,7 @@ class TileCoordinates final : public Coordinates {
 
  private:
   PeriodicDomain& domain_;
+  std::optional<FlatSides> flat_;
   DartBuffer copies_;
 };
 
