@@ -25,6 +25,10 @@ class Coordinates {
   /// The place of another copy of v in this mesh when v is at x: also x, except in periodic tiles.
   virtual Vec3 place_of_copy(Index /*copy*/, Index /*v*/, const Vec3& x) const { return x; }
 
+  /// In a periodic tile: all lattice vectors between it and its neighbours, but 0.
+  virtual std::vector<Vec3> periods() const { return {}; }
+  /// The point of the same place in the torus that is nearest to another point.
+  virtual Vec3 image_near(const Vec3& x, const Vec3& /*point*/) const { return x; }
   /// Where the vertex may be instead of at x: the nearest such place. In a periodic tile whose sides stay
   /// flat, a vertex of a side stays in its plane.
   virtual Vec3 allowed(Index /*v*/, const Vec3& x) const { return x; }
@@ -114,6 +118,8 @@ class CoordinatesFromParent final : public Coordinates {
   /// Only as part of a relocation.
   void set(Index v, const Vec3& x) override;
   Vec3 place_of_copy(Index copy, Index v, const Vec3& x) const override;
+  std::vector<Vec3> periods() const override { return above_.periods(); }
+  Vec3 image_near(const Vec3& x, const Vec3& p) const override { return above_.image_near(x, p); }
   Vec3 allowed(Index v, const Vec3& x) const override { return above_.allowed(above(v), x); }
   Vec3 rounded(const Vec3& x) const override { return above_.rounded(x); }
   /// As the mesh above has it, or will have it. \pre the change has its vertices there

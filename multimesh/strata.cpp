@@ -140,6 +140,14 @@ bool Strata::is_wall(Dart f) const {
   return across == no_dart || parts_differ(f, across) || any_over(f, 2, [](NodeId, Index) { return true; });
 }
 
+void Strata::meshes_of_wall(Dart f, std::vector<NodeId>& meshes) const {
+  meshes.clear();
+  (void)any_over(f, 2, [&](NodeId n, Index) {
+    meshes.push_back(n);
+    return false;
+  });
+}
+
 bool Strata::is_curve(Dart e) const {
   if (!may_be(e, 1, on_curve)) return false;
   return mesh_.dimension() == 3 ? any_over(e, 1, [](NodeId, Index) { return true; }) : !is_plain(e);

@@ -75,6 +75,8 @@ class Strata {
   /// face with another preimage is in the boundary of this mesh only, and lies between facets of both.
   /// Dimension 3
   bool is_wall(Dart f) const;
+  /// The meshes of dimension 2 that have the wall.
+  void meshes_of_wall(Dart f, std::vector<NodeId>& meshes) const;
   /// Whether the edge is in a mesh of dimension 1; of a surface: whether it is not plain.
   bool is_curve(Dart e) const;
 

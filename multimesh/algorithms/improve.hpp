@@ -25,13 +25,17 @@ enum class SurfaceSplits {
 
 /// What may become of a mesh inside the tetrahedra: of surfaces and curves.
 enum class Confined {
-  exact,  ///< it stays the same set of points: its vertices move only where it is flat, or straight
-  fixed,  ///< its vertices, edges and triangles stay the same ones
+  exact,     ///< it stays the same set of points: its vertices move only where it is flat, or straight
+  fixed,     ///< its vertices, edges and triangles stay the same ones
+  envelope,  ///< it stays within a distance of what it was, and what it was within that distance of it; where
+             ///< curves are, and where more or fewer than two of its sheets meet, it is held exactly. Of
+             ///< surfaces
 };
 
 struct Confinement {
   NodeId mesh;  ///< or that of the tetrahedra: what of their boundary is in no other mesh
   Confined how = Confined::exact;
+  double distance = 0;  ///< of the envelope; greater than 0
 };
 
 /// How far an improvement has come.

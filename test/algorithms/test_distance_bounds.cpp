@@ -7,8 +7,8 @@
 #include <random>
 
 #include "multimesh/algorithms/decimate.hpp"
-#include "multimesh/algorithms/decimation/near_triangles.hpp"
-#include "multimesh/algorithms/decimation/witnesses.hpp"
+#include "multimesh/geometry/near_triangles.hpp"
+#include "multimesh/geometry/witnesses.hpp"
 #include "multimesh/geometry/bounding_box.hpp"
 #include "multimesh/geometry/closest_point.hpp"
 #include "multimesh/validate.hpp"
@@ -253,7 +253,7 @@ INSTANTIATE_TEST_SUITE_P(Cost, MaximalError, ::testing::Values(DecimateCost::qua
                          [](const auto& p) { return name_of(p.param); });
 
 TEST(Witnesses, ListsAgreeWithSetsAfterManyChanges) {
-  using decimation::Witnesses;
+  using spatial::Witnesses;
   constexpr Index n = 12;
   Witnesses witnesses(n);
   Witnesses::Set set;
@@ -283,9 +283,9 @@ TEST(NearTriangles, AgreeWithTheClosestPoints) {
   std::uniform_real_distribution<double> number(0, 2);
   const auto place = [&] { return Vec3{number(random), number(random), number(random)}; };
   const double distance = 0.3;
-  decimation::NearTriangles near(distance);
+  spatial::NearTriangles near(distance);
   std::vector<Triangle> triangles;
-  for (Index i = 0; i < decimation::NearTriangles::capacity; ++i) {
+  for (Index i = 0; i < spatial::NearTriangles::capacity; ++i) {
     triangles.push_back({place(), place(), place()});
     near.add(i, triangles.back());
   }

@@ -2,7 +2,6 @@
 #include "multimesh/algorithms/decimation/surface_distance.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "multimesh/geometry/vector.hpp"
 
@@ -10,30 +9,8 @@ namespace multimesh::decimation {
 
 namespace {
 
-/// How often a triangle of the input is cut in two until each part has one witness near all of it. Ten cuts,
-/// if all are in the middle, make parts of 1/32 of the size; more were not seen to help.
-constexpr int max_bisections = 10;
-
-double squared_distance(const Vec3& p, const Vec3& q) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) sum += (p[i] - q[i]) * (p[i] - q[i]);
-  return sum;
-}
-
-Vec3 between(const Vec3& p, const Vec3& q, double t) {
-  return {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])};
-}
-
-/// Of the candidates near all of a part, one that is the nearest at a corner, if possible: what moves away
-/// least will serve longest.
-NearTriangles::Mask choose(NearTriangles::Mask near_all, const std::array<std::size_t, 3>& nearest) {
-  for (const std::size_t n : nearest)
-    if (const NearTriangles::Mask m = NearTriangles::Mask{1} << n; near_all & m) return m;
-  return near_all & (~near_all + 1);
-}
-
-Witnesses::Set only(Index witness) {
-  Witnesses::Set set;
+spatial::Witnesses::Set only(Index witness) {
+  spatial::Witnesses::Set set;
   set.fill(no_index);
   set[0] = witness;
   return set;
@@ -73,7 +50,7 @@ void SurfaceDistance::collapsed(const PredictedStar&, const CollapsePlan&) {
 
 // Those that change come first: a huge star may have more than there is room for. Leaving some out is safe.
 void SurfaceDistance::read_candidates(const PredictedStar& star) {
-  constexpr std::size_t room = NearTriangles::capacity - Witnesses::most;
+  constexpr std::size_t room = spatial::NearTriangles::capacity - spatial::Witnesses::most;
   candidates_.shrink(0);
   for (const bool changes : {true, false})
     for (const PredictedStar::Face& f : star.faces()) {
@@ -93,7 +70,7 @@ bool SurfaceDistance::find_witnesses(const PredictedStar& star) {
 }
 
 /// The candidates in the star that are near a vertex of the input: found out once per plan.
-const NearTriangles::Near& SurfaceDistance::near(Vertex& v) {
+const spatial::NearTriangles::Near& SurfaceDistance::near(Vertex& v) {
   if (v.plan != plan_) v.near = candidates_.near(v.position);
   v.plan = plan_;
   return v.near;
@@ -106,33 +83,34 @@ bool SurfaceDistance::find_one(Index input) {
   if (t.plan == plan_) return true;
   t.plan = plan_;
   const bool may_have_others = witnesses_.of(input)[1] != no_index;
+  const spatial::TriangleCover cover(candidates_);
   Mask near_all = ~Mask{0};
   std::array<std::size_t, 3> nearest;
   for (std::size_t i = 0; i < 3; ++i) {
-    const NearTriangles::Near& at_corner = near(vertices_[t.vertices[i]]);
+    const spatial::NearTriangles::Near& at_corner = near(vertices_[t.vertices[i]]);
     if (!at_corner.mask && !may_have_others) return false;
     near_all &= at_corner.mask;
     nearest[i] = at_corner.nearest;
   }
   if (near_all)
-    moves_.push_back({input, named(choose(near_all, nearest))});
+    moves_.push_back({input, cover.named(cover.choose(near_all, nearest))});
   else
     undecided_.push_back(input);
   return true;
 }
 
 bool SurfaceDistance::find_several(const PredictedStar& star, Index input) {
-  Part part;
+  spatial::CoveredPart part;
   for (std::size_t i = 0; i < 3; ++i) {
     Vertex& v = vertices_[triangles_[input].vertices[i]];
     part[i] = {v.position, near(v)};
   }
   add_witnesses_elsewhere(star, input);  // for this triangle only
-  for (Corner& c : part) c.near.mask |= candidates_.near(c.position, in_star_).mask;
+  for (spatial::CoveredCorner& c : part) c.near.mask |= candidates_.near(c.position, in_star_).mask;
   Mask chosen = 0;
-  const bool found =
-      part[0].near.mask && part[1].near.mask && part[2].near.mask && cover(part, max_bisections, chosen);
-  if (found) moves_.push_back({input, named(chosen)});
+  const spatial::TriangleCover cover(candidates_);
+  const bool found = cover.find(part, chosen);
+  if (found) moves_.push_back({input, cover.named(chosen)});
   candidates_.shrink(in_star_);
   return found;
 }
@@ -144,62 +122,6 @@ void SurfaceDistance::add_witnesses_elsewhere(const PredictedStar& star, Index i
     if (w == no_index || std::any_of(star.faces().begin(), star.faces().end(), is_witness)) continue;
     candidates_.add(w, reader_.positions(mesh_.dart_of(2, w)));
   }
-}
-
-/// Whether a part is near the union of the chosen candidates, of which more may be chosen as long as there
-/// are not too many.
-bool SurfaceDistance::cover(const Part& part, int bisections, Mask& chosen) const {
-  const Mask near_all = part[0].near.mask & part[1].near.mask & part[2].near.mask;
-  if (near_all & chosen) return true;
-  if (near_all && static_cast<std::size_t>(std::popcount(chosen)) < Witnesses::most) {
-    chosen |= choose(near_all, {part[0].near.nearest, part[1].near.nearest, part[2].near.nearest});
-    return true;
-  }
-  if (bisections == 0) return false;
-  const std::size_t i = edge_to_divide(part), j = (i + 1) % 3;
-  const Corner m = divide(part[i], part[j]);
-  if (!m.near.mask) return false;
-  Part at_i = part, at_j = part;
-  at_i[j] = at_j[i] = m;
-  return cover(at_i, bisections - 1, chosen) && cover(at_j, bisections - 1, chosen);
-}
-
-/// The longest of those that have no candidate near both ends, if there are such edges.
-std::size_t SurfaceDistance::edge_to_divide(const Part& part) {
-  std::size_t best = 0;
-  double longest = -1;
-  bool best_is_covered = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Corner &p = part[i], &q = part[(i + 1) % 3];
-    const bool is_covered = (p.near.mask & q.near.mask) != 0;
-    const double length = squared_distance(p.position, q.position);
-    if (is_covered == best_is_covered ? length <= longest : is_covered) continue;
-    best = i, longest = length, best_is_covered = is_covered;
-  }
-  return best;
-}
-
-/// A point of an edge: where it passes from candidates near p to others, for in a plane no other point will
-/// do; or its middle.
-SurfaceDistance::Corner SurfaceDistance::divide(const Corner& p, const Corner& q) const {
-  const auto at = [&](double t) {
-    const Vec3 m = between(p.position, q.position, t);
-    return Corner{m, candidates_.near(m)};
-  };
-  if (!(p.near.mask & q.near.mask)) {
-    const double t = candidates_.leaves(p.near.mask, p.position, q.position);
-    const Corner m = at(t);
-    if (t > 0 && t < 1 && (m.near.mask & p.near.mask) && (m.near.mask & q.near.mask)) return m;
-  }
-  return at(0.5);
-}
-
-Witnesses::Set SurfaceDistance::named(Mask chosen) const {
-  Witnesses::Set set;
-  set.fill(no_index);
-  for (std::size_t i = 0; chosen != 0; chosen &= chosen - 1)
-    set[i++] = candidates_.name(static_cast<std::size_t>(std::countr_zero(chosen)));
-  return set;
 }
 
 /// Whether a place is near a triangle of the input, of those that are witnessed in the old star.

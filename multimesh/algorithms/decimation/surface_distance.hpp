@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "multimesh/algorithms/decimation/near_triangles.hpp"
 #include "multimesh/algorithms/decimation/placement_test.hpp"
-#include "multimesh/algorithms/decimation/witnesses.hpp"
+#include "multimesh/geometry/triangle_cover.hpp"
 
 namespace multimesh::decimation {
 
@@ -28,25 +27,19 @@ class SurfaceDistance final : public PlacementTest {
   void collapsed(const PredictedStar& star, const CollapsePlan& plan) override;
 
  private:
-  using Mask = NearTriangles::Mask;
+  using Mask = spatial::NearTriangles::Mask;
   struct Vertex {
     Vec3 position;
     std::uint64_t plan = 0;  ///< the number of the plan to which `near` belongs
-    NearTriangles::Near near;
+    spatial::NearTriangles::Near near;
   };
   struct InputTriangle {
     std::array<Index, 3> vertices;
     std::uint64_t plan = 0;  ///< the number of the last plan that searched for witnesses
   };
-  /// A point of a triangle of the input, and the candidates near it.
-  struct Corner {
-    Vec3 position;
-    NearTriangles::Near near;
-  };
-  using Part = std::array<Corner, 3>;
   struct Move {
     Index input;
-    Witnesses::Set witnesses;
+    spatial::Witnesses::Set witnesses;
   };
 
   void read_candidates(const PredictedStar& star);
@@ -54,24 +47,20 @@ class SurfaceDistance final : public PlacementTest {
   bool find_one(Index input);
   bool find_several(const PredictedStar& star, Index input);
   void add_witnesses_elsewhere(const PredictedStar& star, Index input);
-  bool cover(const Part& part, int bisections, Mask& chosen) const;
-  static std::size_t edge_to_divide(const Part& part);
-  Corner divide(const Corner& p, const Corner& q) const;
   bool is_near_input(const PredictedStar& star, const Vec3& position) const;
 
-  const NearTriangles::Near& near(Vertex& v);
-  Witnesses::Set named(Mask chosen) const;
+  const spatial::NearTriangles::Near& near(Vertex& v);
 
   const TriangleReader& reader_;
   const Mesh& mesh_;
   double squared_bound_;
   std::vector<Vertex> vertices_;  ///< of the input
   std::vector<InputTriangle> triangles_;
-  Witnesses witnesses_;
+  spatial::Witnesses witnesses_;
 
   // Of the plan that was asked about last:
   std::uint64_t plan_ = 0;  ///< its number
-  NearTriangles candidates_;
+  spatial::NearTriangles candidates_;
   std::size_t in_star_ = 0;       ///< the first of the candidates: those around the merged vertex
   std::vector<Index> undecided_;  ///< triangles of the input that may need several witnesses
   std::vector<Move> moves_;

@@ -86,6 +86,18 @@ bool Candidates::is_fan_too_long(const Ring& ring, std::size_t apex, const Deman
                      [&](Index y) { return demand.is_too_long(x, point(y)); });
 }
 
+// Into that of the other diagonal.
+bool Candidates::may_swap_wall(const Ring& ring) const {
+  const Vec3 &a = point(ring.a), &b = point(ring.b), &x = point(ring.rim[edge_.faces[0]]),
+             &y = point(ring.rim[edge_.faces[1]]);
+  const StaysInEnvelope* held_by = work_.envelope_of(work_.face_at(ring, edge_.faces[0]));
+  if (!held_by || held_by != work_.envelope_of(work_.face_at(ring, edge_.faces[1])))
+    return may_exchange_diagonals(a, b, x, y, work_.flatness());
+  const Vec3 before = cross(x - a, b - a), at_a = cross(x - a, y - a), at_b = cross(y - b, x - b);
+  return dot(before, at_a) > 0 && dot(before, at_b) > 0 && held_by->envelope().contains({a, x, y}) &&
+         held_by->envelope().contains({b, x, y});
+}
+
 void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   const auto [low, high] = ends(e);
   if (is_refused_already(Kind::edge_swap, low, high, demand)) return;
@@ -95,9 +107,7 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   // What is swapped in a torus may not be in its tile.
   work_.read_copies(e, 1, copies_);
   if (copies_.size() > 1 || edge_.curve || edge_.locked || (!edge_.is_free() && !surface) ||
-      ring_.size() > largest_ring || ring_.rim.size() < 3 ||
-      (surface && !may_exchange_diagonals(point(ring_.a), point(ring_.b), point(ring_.rim[edge_.faces[0]]),
-                                          point(ring_.rim[edge_.faces[1]]), work_.flatness()))) {
+      ring_.size() > largest_ring || ring_.rim.size() < 3 || (surface && !may_swap_wall(ring_))) {
     note(Kind::edge_swap, low, high, demand);
     return refuse(Kind::edge_swap, Why::held);
   }
@@ -289,6 +299,18 @@ Axes Candidates::allowed_axes(Index v) const {
   return axes;
 }
 
+// The best place in the tangent plane, and then on what the surface was; or a part of the way.
+Vec3 Candidates::place_on_surface(const Vec3& start, Axes axes, double limit) const {
+  const Vec3 best = best_place(start, opposite_, axes, 1, place_.normal());
+  for (double t = 1; t > 0.1; t /= 2) {
+    Vec3 place = place_.envelope()->closest(start + t * (best - start));
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!axes[i]) place[i] = start[i];
+    if (worst_quality(place, opposite_, limit) < limit && place_.allows(place)) return place;
+  }
+  return start;
+}
+
 void Candidates::smoothing(Dart v, const Demand& demand, Candidate& best) {
   const Index a = work_.mesh().vertex(v);
   if (is_refused_already(Kind::smoothing, a, a, demand)) return;
@@ -305,11 +327,12 @@ void Candidates::smoothing(Dart v, const Demand& demand, Candidate& best) {
   read_star_at(v);
   const double before = star_quality_;
   read_opposite(a);
-  constexpr int sharpness = 4;
-  Vec3 place = best_place(point(a), opposite_, axes);
   const double limit = std::min(demand.limit(before), best.after);
+  const bool in_envelope = !is_free && place_.envelope();
+  Vec3 place = in_envelope ? place_on_surface(point(a), axes, limit) : best_place(point(a), opposite_, axes);
   double after = worst_quality(place, opposite_, limit);
-  if (demand.sharp && !(after < limit)) {
+  if (demand.sharp && !in_envelope && !(after < limit)) {
+    constexpr int sharpness = 4;
     place = best_place(place, opposite_, axes, sharpness);
     after = worst_quality(place, opposite_, limit);
   }

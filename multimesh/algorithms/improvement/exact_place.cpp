@@ -53,6 +53,8 @@ bool ExactPlace::read(Dart at_v) {
   seen_.clear();
   n_curve_edges_ = 0;
   curve_ = {};
+  envelope_ = nullptr;
+  is_exact_ = (work_.strata().of(work_.mesh().vertex(at_v)) & Strata::on_curve) != 0;
   const std::uint8_t strata = work_.strata().of(v_);
   if (strata & Strata::fixed) return false;
   work_.read_copies(at_v, 0, copies_);
@@ -68,7 +70,10 @@ bool ExactPlace::read(Dart at_v) {
     curve_ = {seen_[0], seen_[1]};
     if (!curve_is_straight()) return false;
   }
-  return join_sheets() && sheets_are_plane();
+  if (is_exact_) envelope_ = nullptr;
+  if (!join_sheets()) return false;
+  if (!envelope_) return sheets_are_plane();
+  return std::ranges::all_of(faces_, [](const Face& f) { return f.sheet == 0; });
 }
 
 void ExactPlace::read_faces(Dart copy) {
@@ -78,6 +83,9 @@ void ExactPlace::read_faces(Dart copy) {
     for (const Permutation p : {Permutation{}, permutation(0, 1, 3, 2), permutation(0, 2, 3, 1)}) {
       const Dart f = mesh.reorder(t, p);
       if (!work_.strata().is_wall(f)) continue;
+      const StaysInEnvelope* held_by = is_exact_ ? nullptr : work_.envelope_of(f);
+      is_exact_ = !held_by || (envelope_ && envelope_ != &held_by->envelope());
+      envelope_ = is_exact_ ? nullptr : &held_by->envelope();
       Index c[4];
       mesh.vertices(f, c);
       const auto [low, high] = std::minmax({beside(v, c[1]), beside(v, c[2])});
@@ -150,7 +158,25 @@ bool ExactPlace::allows_merging(Index b) const {
   return on_sheet && allows(work_.point(b), name);
 }
 
+bool ExactPlace::stays_inside(const Vec3& p, Index merged) const {
+  return std::all_of(faces_.begin(), faces_.end(), [&](const Face& f) {
+    return f.p.name == merged || f.q.name == merged || envelope_->contains({p, point(f.p), point(f.q)});
+  });
+}
+
+// The faces are not oriented alike: that of each is made to agree with the first.
+Vec3 ExactPlace::normal() const {
+  const Vec3& v = work_.point(v_);
+  Vec3 sum{};
+  for (const Face& f : faces_) {
+    const Vec3 n = cross(point(f.p) - v, point(f.q) - v);
+    sum += dot(sum, n) < 0 ? -n : n;
+  }
+  return sum.unit_or_zero();
+}
+
 bool ExactPlace::allows(const Vec3& p, Index merged) const {
+  if (envelope_) return stays_inside(p, merged);
   const Vec3& v = work_.point(v_);
   if (n_curve_edges_ > 0) {
     const Vec3 a = point(curve_[0]), b = point(curve_[1]);
@@ -165,6 +191,7 @@ bool ExactPlace::allows(const Vec3& p, Index merged) const {
 }
 
 std::array<bool, 3> ExactPlace::axes() const {
+  if (envelope_) return {true, true, true};
   std::array<bool, 3> free{};
   for (int axis = 0; axis < 3; ++axis) {
     bool parallel = true;

@@ -11,7 +11,8 @@ namespace multimesh::improvement {
 /// Where a vertex of the surface or of a curve may move so that surface and curves stay the same sets of
 /// points, exactly: within the plane of its faces, if all of them lie in one; along its curve, if that is
 /// straight there and each sheet of the surface at it is plane. Flatness defines plane and straight. The
-/// faces and curves at all copies of the vertex count, as seen from one of them.
+/// faces and curves at all copies of the vertex count, as seen from one of them. Where the one sheet at a
+/// vertex is in an envelope: within that.
 class ExactPlace {
  public:
   explicit ExactPlace(const Workspace& work) : work_(work), flatness_(work.flatness()) {}
@@ -26,6 +27,9 @@ class ExactPlace {
   bool allows_merging(Index b) const;
   /// Coordinate axes along which v may move (allows() says how far).
   std::array<bool, 3> axes() const;
+  /// What v moves in, and the mean normal of its faces there; nothing if it is held exactly.
+  const spatial::Envelope* envelope() const { return envelope_; }
+  Vec3 normal() const;
 
  private:
   /// A vertex beside v, or beside a copy of v and then seen from v.
@@ -42,6 +46,7 @@ class ExactPlace {
   };
   void read_faces(Dart copy);
   void drop_repeated_faces();
+  bool stays_inside(const Vec3& p, Index merged) const;
   void read_curves(Dart copy);
   Beside beside(Index copy, Index vertex) const { return {vertex, copy, work_.name(vertex)}; }
   bool join_sheets();
@@ -57,6 +62,8 @@ class ExactPlace {
   std::vector<Face> faces_;
   std::array<Beside, 2> curve_{};  ///< the neighbours along the curve
   std::size_t n_curve_edges_ = 0;
+  const spatial::Envelope* envelope_ = nullptr;
+  bool is_exact_ = false;  ///< a wall is, or walls are in different envelopes
   DartBuffer copies_, star_;
   std::vector<Beside> seen_;
 };

@@ -33,7 +33,7 @@ Obstacles::Obstacles(const Workspace& work, SurfaceSplits splits)
     if (!work.is_live(t)) continue;
     for (const Permutation p : faces_around(3, 2, -1)) {
       const Dart f = work_.dart(t, p);
-      if (!work.strata().is_wall(f)) continue;
+      if (!work.strata().is_wall(f) || work.envelope_of(f)) continue;  // what may move forces nothing
       read_face(f);
       for (const Permutation q : {Permutation{}, permutation(1, 2, 0, 3), permutation(2, 0, 1, 3)})
         read_edge(mesh.reorder(f, q));

@@ -65,6 +65,14 @@ void restrict_to(Axes axes, Derivatives& d) {
   }
 }
 
+void restrict_to_plane(const Vec3& across, Derivatives& d) {
+  const Vector n(across[0], across[1], across[2]);
+  const double scale = d.hessian.cwiseAbs().maxCoeff();
+  const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - n * n.transpose();
+  d.gradient = in_plane * d.gradient;
+  d.hessian = in_plane * d.hessian * in_plane + scale * (n * n.transpose());
+}
+
 // Where the Hessian is not positive definite, its eigenvalues are made positive.
 Vector descent(const Derivatives& d) {
   const Eigen::LLT<Eigen::Matrix3d> factors(d.hessian);
@@ -97,7 +105,8 @@ bool find_start(Vec3& v, double& value, const Objective& objective, Axes axes) {
 
 }  // namespace
 
-Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axes, int sharpness) {
+Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axes, int sharpness,
+                const std::optional<Vec3>& across) {
   Vec3 v = start;
   double value;
   Objective objective{around};
@@ -110,6 +119,7 @@ Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axe
   for (int step = 0; step < most_steps; ++step) {
     Derivatives d = objective.derivatives(v);
     restrict_to(axes, d);
+    if (across) restrict_to_plane(*across, d);
     if (!d.gradient.allFinite() || !d.hessian.allFinite()) break;
     const Vector downhill = descent(d);
     const double slope = downhill.dot(d.gradient);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "multimesh/algorithms/improvement/amips.hpp"
@@ -19,9 +20,10 @@ using Axes = std::array<bool, 3>;
 /// backtracking line search that stays where all are positive. Starts from `start`, or, if one is inverted or
 /// flat there in floating point, from the mean of the corners around. \return the place; `start` if there
 /// was no gain. Cost: up to 10 steps of some 100 ns per tetrahedron
+/// \param across a unit vector: the vertex moves in the plane across it only
 /// \param sharpness power of the cubed energies: the higher, the more the worst one dominates
 Vec3 best_place(const Vec3& start, const std::vector<Opposite>& around, Axes axes = {true, true, true},
-                int sharpness = 1);
+                int sharpness = 1, const std::optional<Vec3>& across = {});
 
 /// The greatest cubed energy of the tetrahedra (v,p,q,r); +infinity if one does not have positive
 /// orientation, exactly. Once it reaches `limit`, stops and returns any number from `limit` on.

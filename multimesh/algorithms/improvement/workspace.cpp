@@ -69,9 +69,33 @@ Workspace::Workspace(const Embedding& embedding, NodeId node, const ImproveOptio
     if (mesh_.is_live(0, v)) points_[v] = tets_.positions().at(v);
   operations_.add(points_follow_);
   for (Attribute* a : options.carried) operations_.add(*a);
-  for (const Confinement& c : options.confined)
-    if (c.how == Confined::fixed) strata_.fix(c.mesh);
+  for (const Confinement& c : options.confined) confine(c);
   strata_.tabulate();
+}
+
+void Workspace::confine(const Confinement& c) {
+  if (c.how == Confined::fixed) strata_.fix(c.mesh);
+  if (c.how != Confined::envelope) return;
+  if (tets_.tree().mesh(c.mesh).dimension() != 2)
+    throw UsageError("improve: only surfaces can be held in an envelope");
+  envelopes_.push_back(
+      std::make_unique<StaysInEnvelope>(tets_.tree(), c.mesh, tets_.positions(), c.distance));
+  operations_.add(envelopes_.back()->journal());
+  operations_.add(*envelopes_.back());
+}
+
+// Where several meshes have the wall, all of them must be.
+const StaysInEnvelope* Workspace::envelope_of(Dart wall) const {
+  if (envelopes_.empty() || strata_.wall_stays(wall)) return nullptr;
+  strata_.meshes_of_wall(wall, meshes_);
+  const StaysInEnvelope* found = nullptr;
+  for (const NodeId n : meshes_) {
+    const auto is_of_n = [n](const auto& e) { return e->node() == n; };
+    const auto e = std::ranges::find_if(envelopes_, is_of_n);
+    if (e == envelopes_.end()) return nullptr;
+    found = e->get();
+  }
+  return found;
 }
 
 std::size_t Workspace::count_tets() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "multimesh/algorithms/improve.hpp"
@@ -9,6 +10,7 @@
 #include "multimesh/algorithms/improvement/flatness.hpp"
 #include "multimesh/copy.hpp"
 #include "multimesh/embedding.hpp"
+#include "multimesh/stays_in_envelope.hpp"
 #include "multimesh/strata.hpp"
 
 namespace multimesh::improvement {
@@ -78,6 +80,9 @@ class Workspace {
   /// Live tetrahedra around a vertex and its copies.
   void read_star(Dart v, std::vector<Index>& tets) const;
 
+  /// What holds a wall, if it is only held in an envelope.
+  const StaysInEnvelope* envelope_of(Dart wall) const;
+
   // --- copies: in a periodic tile, the vertices and edges that are one in the torus
   bool is_copied(Index v) const { return strata_.is_copied(v); }
   /// All copies of the k-simplex of a dart, which is the first of them. Their corners are in its order.
@@ -106,6 +111,7 @@ class Workspace {
   bool move(Dart v, const Vec3& to);
 
  private:
+  void confine(const Confinement& c);
   bool is_positive_around(Dart v);
 
   EmbeddedMesh tets_;
@@ -115,11 +121,13 @@ class Workspace {
   std::vector<Vec3> points_;  ///< a copy of the coordinates, to be read at once
   VertexAttribute<Vec3> points_follow_;
   Strata strata_;
+  std::vector<std::unique_ptr<StaysInEnvelope>> envelopes_;
   Flatness flatness_;
   DartBuffer found_;
   std::vector<Corners> star_;
   mutable DartBuffer darts_, centres_;
   mutable Copies copies_;
+  mutable std::vector<NodeId> meshes_;
 };
 
 }  // namespace multimesh::improvement

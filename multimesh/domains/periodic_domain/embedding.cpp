@@ -27,6 +27,23 @@ Vec3 TileCoordinates::place_of_copy(Index copy, Index v, const Vec3& x) const {
   return copy == v ? x : x + domain_.lattice().shift(offsets[copy] - offsets[v]);
 }
 
+std::vector<Vec3> TileCoordinates::periods() const {
+  const Lattice& lattice = domain_.lattice();
+  std::vector<Vec3> all;
+  LatticeVector n;
+  const auto range = [&](int axis) { return lattice.is_periodic(axis) ? 1 : 0; };
+  for (n[0] = -range(0); n[0] <= range(0); ++n[0])
+    for (n[1] = -range(1); n[1] <= range(1); ++n[1])
+      for (n[2] = -range(2); n[2] <= range(2); ++n[2])
+        if (n != LatticeVector{}) all.push_back(lattice.shift(n));
+  return all;
+}
+
+Vec3 TileCoordinates::image_near(const Vec3& x, const Vec3& p) const {
+  const LatticeVector n = domain_.lattice().rounded(p - x);
+  return n == LatticeVector{} ? x : x + domain_.lattice().shift(n);
+}
+
 void TileCoordinates::set(Index v, const Vec3& x) {
   const MultiMesh& tree = domain_.tree();
   const Mesh& mesh = tree.mesh(node());
@@ -53,12 +70,7 @@ void TileCoordinates::prescribe(Places places) {
   positions.prescribe([this, &positions, places = std::move(places)](const VertexChange& c) {
     std::optional<Vec3> x = places(c);
     if (!x) return x;
-    const Lattice& lattice = domain_.lattice();
-    const Vec3 periods = lattice.coordinates((positions[c.a] + positions[c.b]) / 2 - *x);
-    LatticeVector shift{};
-    for (std::size_t i = 0; i < 3; ++i)
-      if (lattice.is_periodic(static_cast<int>(i))) shift[i] = static_cast<int>(std::lround(periods[i]));
-    if (shift != LatticeVector{}) *x += lattice.shift(shift);
+    *x = image_near(*x, (positions[c.a] + positions[c.b]) / 2);
     for (std::size_t i = 0; i < 3; ++i) {  // an edge in a flat side stays there
       const double both = positions[c.a][i];
       if (both == positions[c.b][i] && std::abs((*x)[i] - both) <= solved * domain_.diagonal())

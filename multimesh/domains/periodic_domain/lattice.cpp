@@ -41,6 +41,15 @@ Lattice::Lattice(const std::array<bool, 3>& periodic, const Eigen::Matrix3d& per
   inverse_ = basis.inverse();
 }
 
+LatticeVector Lattice::rounded(const Vec3& displacement) const {
+  const Vec3 c = coordinates(displacement);
+  LatticeVector v{};
+  for (int i = 0; i < 3; ++i)
+    if (is_periodic(i))
+      v[static_cast<std::size_t>(i)] = static_cast<int>(std::lround(c[static_cast<std::size_t>(i)]));
+  return v;
+}
+
 std::optional<LatticeVector> Lattice::nearest(const Vec3& displacement, double tolerance) const {
   const Vec3 c = coordinates(displacement);
   LatticeVector v{};

@@ -35,6 +35,8 @@ class Lattice {
   Vec3 shift(const LatticeVector& v) const { return product(periods_, Eigen::Vector3d(v[0], v[1], v[2])); }
   /// Coordinates in units of the period vectors; along other axes, in units that complete the basis.
   Vec3 coordinates(const Vec3& p) const { return product(inverse_, Eigen::Vector3d(p.data())); }
+  /// The lattice vector whose coordinates are nearest to those of a displacement.
+  LatticeVector rounded(const Vec3& displacement) const;
   /// Distance between the planes where such a coordinate is 0 and 1.
   double height(int axis) const { return 1 / inverse_.row(axis).norm(); }
   /// The same for a combination of coordinates. \pre not 0

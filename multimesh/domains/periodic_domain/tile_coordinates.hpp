@@ -21,6 +21,8 @@ class TileCoordinates final : public Coordinates {
   /// A coordinate that changes only by rounding is left unchanged: flat sides stay flat.
   void set(Index v, const Vec3& x) override;
   Vec3 place_of_copy(Index copy, Index v, const Vec3& x) const override;
+  std::vector<Vec3> periods() const override;
+  Vec3 image_near(const Vec3& x, const Vec3& p) const override;
   Vec3 allowed(Index v, const Vec3& x) const override { return flat_ ? flat_->allowed(v, x) : x; }
   Vec3 merged(const VertexChange& c) const override;
   /// A place may be given as seen from any copy: each takes the one nearest to its edge.

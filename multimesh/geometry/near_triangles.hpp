@@ -7,7 +7,7 @@
 #include "multimesh/dart.hpp"
 #include "multimesh/geometry/closest_point.hpp"
 
-namespace multimesh::decimation {
+namespace multimesh::spatial {
 
 /// A few triangles that are queried together for those within a distance of a point. A triangle is convex and
 /// so is the distance from it: if it is near the corners of another triangle, it is near all of that
@@ -27,7 +27,7 @@ class NearTriangles {
   std::size_t size() const { return size_; }
   Index name(std::size_t i) const { return entries_[i].name; }
   /// \pre size() < capacity
-  void add(Index name, const spatial::Triangle& triangle);
+  void add(Index name, const Triangle& triangle);
   /// Forgets all but the first n.
   void shrink(std::size_t n) { size_ = n; }
 
@@ -42,12 +42,12 @@ class NearTriangles {
   /// outwards across edge i, which goes from corner i to i+1.
   struct Entry {
     Index name;
-    spatial::Triangle triangle;
+    Triangle triangle;
     Vec3 normal;
     std::array<Vec3, 3> outward;
     bool is_fat;  ///< enough for its normal to be exact
   };
-  static Entry entry(Index name, const spatial::Triangle& triangle);
+  static Entry entry(Index name, const Triangle& triangle);
   static double leaves(const Entry& e, const Vec3& p, const Vec3& q);
   double squared_distance(const Entry& e, const Vec3& p) const;
 
@@ -56,4 +56,4 @@ class NearTriangles {
   std::array<Entry, capacity> entries_;
 };
 
-}  // namespace multimesh::decimation
+}  // namespace multimesh::spatial

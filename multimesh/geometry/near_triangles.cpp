@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "multimesh/algorithms/decimation/near_triangles.hpp"
+#include "multimesh/geometry/near_triangles.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
-namespace multimesh::decimation {
+namespace multimesh::spatial {
 
 namespace {
 
@@ -20,7 +20,7 @@ Vec3 unit(const Vec3& p) {
 
 }  // namespace
 
-NearTriangles::Entry NearTriangles::entry(Index name, const spatial::Triangle& t) {
+NearTriangles::Entry NearTriangles::entry(Index name, const Triangle& t) {
   Entry e{name, t, {}, {}, false};
   const std::array<Vec3, 3> edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   const Vec3 normal = cross(edge[0], edge[1]);
@@ -31,7 +31,7 @@ NearTriangles::Entry NearTriangles::entry(Index name, const spatial::Triangle& t
   return e;
 }
 
-void NearTriangles::add(Index name, const spatial::Triangle& t) {
+void NearTriangles::add(Index name, const Triangle& t) {
   entries_[size_++] = entry(name, t);
 }
 
@@ -47,7 +47,7 @@ double NearTriangles::squared_distance(const Entry& e, const Vec3& p) const {
   }
   const double height = dot(e.normal, p - e.triangle[0]);
   if (std::abs(height) > limit) return infinity;
-  return is_above ? height * height : spatial::closest_point(p, e.triangle).squared_distance;
+  return is_above ? height * height : closest_point(p, e.triangle).squared_distance;
 }
 
 NearTriangles::Near NearTriangles::near(const Vec3& p, std::size_t first) const {
@@ -79,4 +79,4 @@ double NearTriangles::leaves(Mask triangles, const Vec3& p, const Vec3& q) const
   return t;
 }
 
-}  // namespace multimesh::decimation
+}  // namespace multimesh::spatial

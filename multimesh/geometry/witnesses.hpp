@@ -6,10 +6,11 @@
 
 #include "multimesh/dart.hpp"
 
-namespace multimesh::decimation {
+namespace multimesh::spatial {
 
 /// Stores for each triangle of the input which triangles of the current surface are near it, a few at most,
-/// and the inverse. Initially there are none. Both surfaces use the same indices.
+/// and the inverse. Initially there are none. Triangles of the surface may have greater indices than those of
+/// the input.
 class Witnesses {
  public:
   /// With three, decimation ended with a third more triangles; more than six made no difference.
@@ -34,6 +35,7 @@ class Witnesses {
   /// Whether holds(input) for all triangles of the input of which this one is a witness.
   template <class Predicate>
   bool all_of(Index witness, Predicate holds) const {
+    if (witness >= first_.size()) return true;
     for (Index s = first_[witness]; s != no_index; s = slots_[s].next)
       if (!holds(static_cast<Index>(s / most))) return false;
     return true;
@@ -48,6 +50,7 @@ class Witnesses {
   void link(Index s, Index witness) {
     slots_[s] = {witness, no_index, no_index};
     if (witness == no_index) return;
+    if (witness >= first_.size()) first_.resize(witness + witness / 2 + 1, no_index);
     Index& first = first_[witness];
     if (first != no_index) slots_[first].previous = s;
     slots_[s].next = first;
@@ -64,4 +67,4 @@ class Witnesses {
   std::vector<Slot> slots_;   ///< `most` per triangle of the input
 };
 
-}  // namespace multimesh::decimation
+}  // namespace multimesh::spatial
