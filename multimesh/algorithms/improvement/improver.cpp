@@ -55,6 +55,26 @@ Dart Improver::apply(const Candidate& c) {
   return no_dart;
 }
 
+// What a mesh in an envelope refused, it will refuse again.
+void Improver::note_refused(const Candidate& c, Index a, Index b) {
+  if (c.kind == Kind::smoothing) b = a;
+  if (c.kind != Kind::collapse && b < a) std::swap(a, b);
+  refusals_.note(c.kind, a, b);
+}
+
+// The best candidate, or if the tree refuses that, the next best.
+template <class Find>
+bool Improver::take_best(const Demand& demand, const Find& find) {
+  constexpr int most_tries = 4;
+  for (int i = 0; i < most_tries; ++i) {
+    Candidate best;
+    find(best);
+    if (take(best)) return true;
+    if (!best || !best.surface || !demand.remember) return false;
+  }
+  return false;
+}
+
 bool Improver::take(const Candidate& c) {
   if (!c) return false;
   Count& count = counts_[static_cast<std::size_t>(c.kind)];
@@ -63,6 +83,7 @@ bool Improver::take(const Candidate& c) {
   const Dart at = apply(c);
   if (at == no_dart) {
     ++count.refused[static_cast<std::size_t>(Why::legality)];
+    if (c.surface) note_refused(c, face[0], face[1]);
     return false;
   }
   ++count.done;
@@ -135,37 +156,37 @@ void Improver::tick() {
 // --- one tetrahedron -----------------------------------------------------------------------------------
 
 bool Improver::swap_or_collapse(Index t, const Demand& demand) {
-  Candidate best;
   const Corners c = work_.corners(t);
-  for (const auto& [i, j] : edge_corners)
-    if (!candidates_.is_edge_known(Kind::edge_swap, c[i], c[j], demand))
-      candidates_.edge_swap(work_.edge(t, i, j), demand, best);
-  for (const Permutation p : faces_around(3, 2, -1)) candidates_.face_swap(work_.dart(t, p), demand, best);
-  for (int i = 0; i < 4; ++i) {
-    if (is_kept(c[i]) || std::find(fresh_.begin(), fresh_.end(), c[i]) != fresh_.end()) continue;
-    for (int j = 0; j < 4; ++j)
-      if (i != j && !candidates_.is_known(Kind::collapse, c[i], c[j], demand))
-        candidates_.collapse(work_.edge(t, i, j), demand, best);
-  }
-  return take(best);
+  return take_best(demand, [&](Candidate& best) {
+    for (const auto& [i, j] : edge_corners)
+      if (!candidates_.is_edge_known(Kind::edge_swap, c[i], c[j], demand))
+        candidates_.edge_swap(work_.edge(t, i, j), demand, best);
+    for (const Permutation p : faces_around(3, 2, -1)) candidates_.face_swap(work_.dart(t, p), demand, best);
+    for (int i = 0; i < 4; ++i) {
+      if (is_kept(c[i]) || std::find(fresh_.begin(), fresh_.end(), c[i]) != fresh_.end()) continue;
+      for (int j = 0; j < 4; ++j)
+        if (i != j && !candidates_.is_known(Kind::collapse, c[i], c[j], demand))
+          candidates_.collapse(work_.edge(t, i, j), demand, best);
+    }
+  });
 }
 
 bool Improver::smooth(Index t, const Demand& demand) {
-  Candidate best;
   const Corners c = work_.corners(t);
-  for (int i = 0; i < 4; ++i)
-    if (!candidates_.is_known(Kind::smoothing, c[i], c[i], demand))
-      candidates_.smoothing(work_.edge(t, i, i == 0 ? 1 : 0), demand, best);
-  return take(best);
+  return take_best(demand, [&](Candidate& best) {
+    for (int i = 0; i < 4; ++i)
+      if (!candidates_.is_known(Kind::smoothing, c[i], c[i], demand))
+        candidates_.smoothing(work_.edge(t, i, i == 0 ? 1 : 0), demand, best);
+  });
 }
 
 bool Improver::split(Index t, const Demand& demand) {
-  Candidate best;
   const Corners c = work_.corners(t);
-  for (const auto& [i, j] : edge_corners)
-    if (!candidates_.is_edge_known(Kind::split, c[i], c[j], demand))
-      candidates_.split(work_.edge(t, i, j), demand, best);
-  return take(best);
+  return take_best(demand, [&](Candidate& best) {
+    for (const auto& [i, j] : edge_corners)
+      if (!candidates_.is_edge_known(Kind::split, c[i], c[j], demand))
+        candidates_.split(work_.edge(t, i, j), demand, best);
+  });
 }
 
 bool Improver::improve_tet(Index t) {

@@ -93,6 +93,9 @@ class Improver {
   /// \return a dart at a vertex that all new tetrahedra contain, no_dart if refused
   Dart apply(const Candidate& candidate);
   bool take(const Candidate& candidate);
+  void note_refused(const Candidate& candidate, Index a, Index b);
+  template <class Find>
+  bool take_best(const Demand& demand, const Find& find);
   void changed(Dart v, bool surface);
   bool improve_touched(double limit);
 
