@@ -28,6 +28,7 @@ void check_options(const ImproveOptions& o) {
           "min_edge_length must be finite and not negative");
   require(o.time_limit >= 0, "time_limit must not be negative");
   require(o.max_growth >= 1, "max_growth must be at least 1");
+  require(o.keep_volume > 0, "keep_volume must be greater than 0");
   for (const Confinement& c : o.confined)
     require(c.how != Confined::envelope || (c.distance > 0 && std::isfinite(c.distance)),
             "the distance of an envelope must be finite and greater than 0");

@@ -68,6 +68,10 @@ struct ImproveOptions {
   /// Meshes that are not listed are held exactly.
   std::vector<Confinement> confined = {};
 
+  /// While surfaces move in envelopes, the volume of each part of the tetrahedra changes by at most this share
+  /// of it. Greater than 0; infinity: as it comes.
+  double keep_volume = 1e-3;
+
   /// Attributes of others that follow the operations.
   std::vector<Attribute*> carried = {};
 

@@ -2,6 +2,7 @@
 #include "multimesh/algorithms/improvement/workspace.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "multimesh/geometry/orient3d.hpp"
@@ -70,6 +71,7 @@ Workspace::Workspace(const Embedding& embedding, NodeId node, const ImproveOptio
   operations_.add(points_follow_);
   for (Attribute* a : options.carried) operations_.add(*a);
   for (const Confinement& c : options.confined) confine(c);
+  if (!envelopes_.empty() && std::isfinite(options.keep_volume)) keep_volumes(embedding, options.keep_volume);
   strata_.tabulate();
 }
 
@@ -82,6 +84,17 @@ void Workspace::confine(const Confinement& c) {
       std::make_unique<StaysInEnvelope>(tets_.tree(), c.mesh, tets_.positions(), c.distance));
   operations_.add(envelopes_.back()->journal());
   operations_.add(*envelopes_.back());
+}
+
+void Workspace::keep_volumes(const Embedding& embedding, double share) {
+  KeepsVolumes::Part part = [](Index) { return 0; };
+  for (const auto& [n, parts] : embedding.kept().parts)
+    if (n == node_) part = [list = parts](Index t) { return (*list)[t]; };
+  std::vector<NodeId> surfaces;
+  for (const auto& e : envelopes_) surfaces.push_back(e->node());
+  volumes_.emplace(tets_.tree(), tets_.positions(), std::move(part), std::move(surfaces), share);
+  operations_.add(volumes_->journal());
+  operations_.add(*volumes_);
 }
 
 // Where several meshes have the wall, all of them must be.

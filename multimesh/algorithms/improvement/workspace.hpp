@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "multimesh/algorithms/improve.hpp"
@@ -10,6 +11,7 @@
 #include "multimesh/algorithms/improvement/flatness.hpp"
 #include "multimesh/copy.hpp"
 #include "multimesh/embedding.hpp"
+#include "multimesh/keeps_volumes.hpp"
 #include "multimesh/stays_in_envelope.hpp"
 #include "multimesh/strata.hpp"
 
@@ -112,6 +114,7 @@ class Workspace {
 
  private:
   void confine(const Confinement& c);
+  void keep_volumes(const Embedding& embedding, double share);
   bool is_positive_around(Dart v);
 
   EmbeddedMesh tets_;
@@ -122,6 +125,7 @@ class Workspace {
   VertexAttribute<Vec3> points_follow_;
   Strata strata_;
   std::vector<std::unique_ptr<StaysInEnvelope>> envelopes_;
+  std::optional<KeepsVolumes> volumes_;
   Flatness flatness_;
   DartBuffer found_;
   std::vector<Corners> star_;

@@ -36,6 +36,8 @@ struct PeriodicDomain::Data {
     auto& vertex_source = mesh.add_values<Index>(0, "periodic:source");
     facet_source = &mesh.add_values<Index>(mesh.dimension(), "periodic:source");
     *facet_source = input_facets;
+    part = &mesh.add_values<PeriodicTile::Region>(mesh.dimension(), "periodic:part");
+    for (Index f = 0; f < input_facets.size(); ++f) (*part)[f] = region(f);
     input_vertices = std::move(glued.source);
     for (Index v = 0; v < input_vertices.size(); ++v) {
       points[v] = prepared.tile.point[input_vertices[v]];
@@ -107,7 +109,8 @@ struct PeriodicDomain::Data {
   std::size_t input_points;
   std::vector<PeriodicTile::Region> regions;  // by the input's facets
   std::vector<Index> input_facets, input_vertices;
-  std::vector<Index>* facet_source = nullptr;  // a property of the tile
+  std::vector<Index>* facet_source = nullptr;  // properties of the tile
+  std::vector<PeriodicTile::Region>* part = nullptr;
   MultiMesh tree;
   NodeId tile = NodeId::root;
   std::optional<NodeId> cuts;

@@ -110,6 +110,7 @@ Embedding PeriodicDomain::embedding(TileSides sides) {
       std::make_unique<TileCoordinates>(*this, sides == TileSides::flat), Embedding::Kind::space);
   if (tree().mesh(tile()).dimension() == 3 || report().inverted_facets == 0)
     e.keep_orientation(places, mean_normal(*this));
+  e.tell_parts(tile(), *data_->part);
   if (sides == TileSides::frozen && data_->cuts)
     e.keep("the sides of the tile are frozen", [cuts = *data_->cuts](NodeId n, Index) { return n == cuts; });
   return e;
