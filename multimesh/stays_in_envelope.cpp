@@ -45,32 +45,64 @@ StaysInEnvelope::StaysInEnvelope(const MultiMesh& tree, NodeId surface, const Co
   read_input();
 }
 
-// Copies of the surface in neighbouring tiles count where they may come near this one, however far its sides
-// wander.
 void StaysInEnvelope::read_input() {
-  std::vector<Triangle> surface;
-  Vec3 low = Vec3{} + Vec3(1e300, 1e300, 1e300), high = -low;
   for (Index f = 0; f < input_.size(); ++f) {
     if (!mesh_.is_live(2, f)) continue;
-    surface.push_back(input_[f] = triangle(f));
+    input_[f] = triangle(f);
     Witnesses::Set self;
     self.fill(no_index);
     self[0] = f;
     witnesses_.set(f, self);
-    for (const Vec3& p : input_[f]) low = min(low, p), high = max(high, p);
   }
-  const std::size_t own = surface.size();
+  envelope_.emplace(with_neighbours(current()), distance_);
+}
+
+std::vector<Triangle> StaysInEnvelope::current() const {
+  std::vector<Triangle> surface;
+  for (Index f = 0; f < mesh_.capacity(2); ++f)
+    if (mesh_.is_live(2, f)) surface.push_back(triangle(f));
+  return surface;
+}
+
+// Copies of the surface in neighbouring tiles count where they may come near this one, however far its sides
+// wander.
+std::vector<Triangle> StaysInEnvelope::with_neighbours(std::vector<Triangle> surface) const {
+  const std::vector<Vec3> periods = places_.periods();
+  if (periods.empty() || surface.empty()) return surface;
+  Vec3 low = surface[0][0], high = low;
+  for (const Triangle& t : surface)
+    for (const Vec3& p : t) low = min(low, p), high = max(high, p);
   const Vec3 margin = (high - low) / 2 + Vec3(distance_, distance_, distance_);
-  for (const Vec3& shift : places_.periods())
+  const std::size_t own = surface.size();
+  for (const Vec3& period : periods)
     for (std::size_t i = 0; i < own; ++i) {
-      const Triangle t = shifted(surface[i], shift);
+      const Triangle t = shifted(surface[i], period);
       const Vec3 least = min(min(t[0], t[1]), t[2]), most = max(max(t[0], t[1]), t[2]);
       bool near = true;
       for (std::size_t k = 0; k < 3; ++k)
         near = near && most[k] >= low[k] - margin[k] && least[k] <= high[k] + margin[k];
       if (near) surface.push_back(t);
     }
-  envelope_.emplace(std::move(surface), distance_);
+  return surface;
+}
+
+std::array<double, 2> StaysInEnvelope::measure() const {
+  const std::vector<Triangle> now = current();
+  std::vector<Triangle> before;
+  for (Index f = 0; f < input_.size(); ++f)
+    if (input_[f] != Triangle{}) before.push_back(input_[f]);
+  const auto farthest = [](const std::vector<Triangle>& from, const spatial::Envelope& to) {
+    double most = 0;
+    for (const Triangle& t : from)
+      for (const auto& [u, v] :
+           {std::pair{0., 0.}, {1., 0.}, {0., 1.}, {.5, .5}, {.5, 0.}, {0., .5}, {1. / 3, 1. / 3}}) {
+        const Vec3 p = spatial::at(t, {1 - u - v, u, v});
+        most = std::max(most, (to.closest(p) - p).norm());
+      }
+    return most;
+  };
+  if (now.empty() || before.empty()) return {};
+  return {farthest(now, *envelope_), farthest(before, {with_neighbours(now), distance_})};
 }
 
 // As the mesh with the places has it; in a tile, one of several copies.

@@ -31,6 +31,10 @@ class StaysInEnvelope final : public Invariant {
   bool after(const Event& event) override;
   Attribute& journal() noexcept { return journal_; }
 
+  /// How far the surface is now from what it was, and that from it: the greatest distances of seven points of
+  /// each triangle. Cost: O(n log n)
+  std::array<double, 2> measure() const;
+
   /// Of the original surface, in a tile with its neighbours.
   const spatial::Envelope& envelope() const noexcept { return *envelope_; }
 
@@ -55,6 +59,8 @@ class StaysInEnvelope final : public Invariant {
   };
 
   void read_input();
+  std::vector<spatial::Triangle> with_neighbours(std::vector<spatial::Triangle> surface) const;
+  std::vector<spatial::Triangle> current() const;
   spatial::Triangle triangle(Index facet) const;
   void read_facets(const Event& event, bool after, std::vector<Facet>& facets);
   bool find_witnesses(Index input);

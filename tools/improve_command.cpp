@@ -15,6 +15,7 @@
 #include "adapters/io/naming.hpp"
 #include "multimesh/algorithms/improve.hpp"
 #include "multimesh/files/formats.hpp"
+#include "multimesh/geometry/bounding_box.hpp"
 #include "tools/domain_arguments.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/mesh_page.hpp"
@@ -34,7 +35,7 @@ struct ImproveArguments {
   std::string input, output, splits = "rounded";
   ReportOptions report;
   std::vector<std::string> locked_patches;
-  double feature_angle = 0;
+  double feature_angle = 0, relative_envelope = 0;
   DomainImproveOptions options;
   files::DomainReadOptions taken;
   SimplexFormat format;
@@ -66,6 +67,8 @@ Json to_json(const ImproveArguments& a, const ImproveResult& r) {
                          {"longest", r.lengths.longest},
                          {"share_in_range", r.lengths.share_in_range},
                          {"too_long", r.lengths.too_long}};
+  for (const EnvelopeUse& e : r.envelopes)
+    j["envelopes"].push_back({{"distance", e.distance}, {"moved", e.moved[0]}, {"moved_from", e.moved[1]}});
   j["least_max_amips"] = {{"value", r.least_max_amips}, {"at", r.least_max_amips_at}};
   j["obstacles"] = Json::array();
   for (const ImproveObstacle& o : r.obstacles)
@@ -89,6 +92,9 @@ void print(const ImproveArguments& a, const ImproveResult& r) {
   for (const OperationCount& c : r.operations)
     std::cout << (&c == &r.operations.front() ? " " : ", ") << c.done << " of " << c.tried << ' ' << c.name;
   std::cout << "\n           in " << r.passes << " passes, " << r.seconds << " s\n";
+  for (const EnvelopeUse& e : r.envelopes)
+    std::cout << "  moved:  the surface by " << e.moved[0] << ", what it was is " << e.moved[1]
+              << " from it, of at most " << e.distance << '\n';
 }
 
 std::string place(const std::array<double, 3>& p) {
@@ -132,6 +138,10 @@ std::vector<std::string> reasons(const ImproveArguments& a, const ImproveResult&
     if (const std::string missed = length_missed(a.options.edge_length, r.lengths); !missed.empty())
       list.push_back(missed);
   if (const std::string stop = stop_reason(a, r.stop); !stop.empty()) list.push_back(stop);
+  for (const EnvelopeUse& e : r.envelopes)
+    if (std::max(e.moved[0], e.moved[1]) > e.distance * (1 + 1e-9))
+      list.push_back("the surface left its envelope of " + number(e.distance) +
+                     " by rounding: " + number(std::max(e.moved[0], e.moved[1])));
   if (r.target_reached) return list;
   list.push_back("the target was missed: " + std::to_string(r.after.above_target) +
                  " tetrahedra have an AMIPS energy above " + number(a.options.target_amips) +
@@ -167,12 +177,15 @@ void run(ImproveArguments a, RunReport& report) {
     if (a.splits == split_names[i]) a.options.surface_splits = static_cast<SurfaceSplits>(i);
   a.options.locked_patches = files::tags_of_patches(file, a.locked_patches, "--lock-patch");
   TetDomain domain = files::take_domain(file, options);
+  if (a.relative_envelope > 0)
+    a.options.envelope = a.relative_envelope * bounding_box_diagonal(domain.points().values);
   const TetTopology before = topology_of(domain.tagged());
   HtmlMesh page;
   if (report.wants_page()) page = html_mesh(domain);
   const ImproveResult r = io::naming(a.input, [&] { return improve(domain, a.options); });
   const files::DomainWriteOptions how{a.format.options(), {false, a.feature_angle > 0, false}};
-  add(write_if_same_mesh(a.output, before, DomainResult(domain), file.groups(), how), file.warnings);
+  add(write_if_same_mesh(a.output, before, DomainResult(domain), file.groups(), how, a.options.envelope),
+      file.warnings);
   for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
   report.json() = to_json(a, r);
   if (report.wants_page()) show_domains(report, std::move(page), domain, a.input, a.output);
@@ -213,6 +226,20 @@ void add_improve_command(CLI::App& app, int& exit_code) {
                    "split edges of the surface: not at all, exactly, or up to rounding")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(split_names), std::end(split_names))))
       ->capture_default_str();
+  auto* envelope = command->add_option(
+      "--envelope", a->options.envelope,
+      "the surface, between regions too, may move by at most this, and leaves nothing farther behind");
+  envelope->check(positive_number());
+  command
+      ->add_option("--relative-envelope", a->relative_envelope,
+                   "the same, relative to the diagonal of the bounding box")
+      ->check(positive_number())
+      ->excludes(envelope);
+  command
+      ->add_option("--keep-volume", a->options.keep_volume,
+                   "in an envelope: the volume of a region changes by at most this share of it")
+      ->check(positive_number())
+      ->capture_default_str();
   command
       ->add_option("--feature-angle", a->feature_angle,
                    "edges at which the surface bends by at least this become curves; degrees in (0, 180)")
@@ -239,7 +266,8 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   add_old_json_file(*command, a->report);
   command->footer(
       "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --report report.json\n\n"
-      "The boundary, faces between regions and listed triangles and edges stay what they are. If the\n"
+      "The boundary, faces between regions and listed triangles and edges stay what they are; with\n"
+      "--envelope they move within it, but for curves, and for places where they are no surface. If the\n"
       "target cannot be reached, the result is still written, warnings say why, and the exit status\n"
       "is 0. Elements keep their tags, groups and MEDIT's flags. What the input does not list is not\n"
       "added, except curves with --feature-angle. Before it is written, the result is compared with\n"

@@ -178,6 +178,8 @@ struct LockedDomain {
 
   LockedDomain(TetDomain& domain, const DomainImproveOptions& o) : embedding(domain.embedding()), options(o) {
     lock(embedding, domain, o);
+    if (o.envelope > 0 && domain.surface())
+      options.confined.push_back({*domain.surface(), Confined::envelope, o.envelope});
     if (!o.lock_surface) return;
     const std::vector<Confinement> fixed = fixed_surface(domain);
     options.confined.insert(options.confined.end(), fixed.begin(), fixed.end());
@@ -217,6 +219,7 @@ ImproveResult improve(const Embedding& embedding, NodeId node, const ImproveOpti
   if (options.edge_length > 0) result.lengths = improver.measure_lengths();
   result.after = measure(improver.work(), options.target_amips);
   result.target_reached = result.after.above_target == 0;
+  result.envelopes = improver.work().measure_envelopes();
   result.operations = named(improver.counts());
   if (!result.target_reached)
     result.obstacles = Obstacles(improver.work(), options.surface_splits).explain(improver.limit());

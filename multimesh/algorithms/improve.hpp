@@ -68,8 +68,8 @@ struct ImproveOptions {
   /// Meshes that are not listed are held exactly.
   std::vector<Confinement> confined = {};
 
-  /// While surfaces move in envelopes, the volume of each part of the tetrahedra changes by at most this share
-  /// of it. Greater than 0; infinity: as it comes.
+  /// While surfaces move in envelopes, the volume of each part of the tetrahedra changes by at most this
+  /// share of it. Greater than 0; infinity: as it comes.
   double keep_volume = 1e-3;
 
   /// Attributes of others that follow the operations.
@@ -86,6 +86,7 @@ std::vector<Confinement> fixed_surface(const TetDomain& domain);
 /// Of a TetDomain, by its tags.
 struct DomainImproveOptions : ImproveOptions, DomainLocks {
   bool lock_surface = false;  ///< its vertices, edges and triangles stay the same ones, curves on it too
+  double envelope = 0;        ///< if greater than 0: surface and interfaces may move by this, see Confined
 };
 
 /// The AMIPS energies of a mesh.
@@ -125,12 +126,21 @@ struct ImproveObstacle {
   std::array<double, 3> example{};  ///< the centre of the worst of them
 };
 
+/// How far a mesh in an envelope moved.
+struct EnvelopeUse {
+  NodeId mesh;
+  double distance = 0;  ///< that of the envelope
+  /// From the mesh to what it was, and from that to the mesh: of seven points of each triangle.
+  std::array<double, 2> moved{};
+};
+
 struct ImproveResult {
   bool target_reached = false;
   ImproveStop stop = ImproveStop::done;
   int passes = 0;
   TetQuality before, after;
   EdgeLengths lengths;  ///< after; only if a length was requested
+  std::vector<EnvelopeUse> envelopes;
   std::vector<OperationCount> operations;
   std::vector<ImproveObstacle> obstacles;  ///< empty if the target is reached
   /// No mesh of this domain with these surfaces and curves has a smaller max AMIPS, however it is refined: a
@@ -145,12 +155,12 @@ struct ImproveResult {
 /// target. An operation is done only if the worst of the tetrahedra it replaces gets better. Topology of all
 /// meshes is kept. Surface and curves stay what they are as sets of points, exactly but for rounded splits:
 /// their vertices move only where they lie in exactly flat, or straight, surroundings; locked vertices never
-/// do. Volumes of regions are thus kept, too. What has other preimages in this mesh, as the sides of a
-/// periodic tile, is not touched. All tetrahedra stay of positive orientation, exactly. Deterministic. Cost:
-/// some microseconds per candidate. \throw InputError naming a tetrahedron that is inverted or flat, and for
-/// options out of range; nothing was changed then. Source: the loop, Klingner and Shewchuk, Aggressive
-/// tetrahedral mesh improvement (2007); the energy, Fu, Liu, Guo (2015), as in Hu et al., Tetrahedral meshing
-/// in the wild (2018), section 3.3
+/// do. Volumes of regions are thus kept, too. In a periodic tile, operations apply to all copies of a vertex
+/// or an edge, and the sides are no surface: what they may do, its embedding says (TileSides). All tetrahedra
+/// stay of positive orientation, exactly. Deterministic. Cost: some microseconds per candidate. \throw
+/// InputError naming a tetrahedron that is inverted or flat, and for options out of range; nothing was
+/// changed then. Source: the loop, Klingner and Shewchuk, Aggressive tetrahedral mesh improvement (2007); the
+/// energy, Fu, Liu, Guo (2015), as in Hu et al., Tetrahedral meshing in the wild (2018), section 3.3
 ImproveResult improve(const Embedding& embedding, NodeId node, const ImproveOptions& options = {});
 ImproveResult improve(TetDomain& domain, const DomainImproveOptions& options = {});
 

@@ -93,6 +93,16 @@ TEST(ImproveOptions, AFixedSurfaceKeepsItsTriangles) {
   EXPECT_LT(test::max_amips(other), test::max_amips(TetDomain(box.input)));
 }
 
+TEST(ImproveOptions, ASurfaceInAnEnvelopeMoves) {
+  TetDomain domain(make_box({.n = 4, .map = Eigen::AngleAxisd(1, Vec3(1, 2, 3)).toRotationMatrix()}).input);
+  const auto before = surface_triangles(domain);
+  Embedding embedding = domain.embedding();
+  const NodeId node = NodeId::root, interfaces = *domain.surface();
+  multimesh::improve(embedding, node, {.confined = {{interfaces, multimesh::Confined::envelope, 0.05}}});
+  EXPECT_NE(surface_triangles(domain), before);
+  EXPECT_TRUE(test::all_positive(domain));
+}
+
 TEST(ImproveOptions, CoarsensToAnEdgeLength) {
   TetDomain domain(make_box({.n = 8, .sheet = false, .regions = false, .curve = false, .squash = 0.5}).input);
   const Kept kept(domain);

@@ -55,6 +55,27 @@ TEST_F(ImproveCommand, SaysWhichTargetWasMissed) {
   EXPECT_TRUE(contains(late.err, "--time-limit")) << late.err;
 }
 
+TEST_F(ImproveCommand, MovesTheSurfaceInAnEnvelope) {
+  const std::string in = data("mini_annulus.msh");
+  const auto improve = [&](const Arguments& more) {
+    Arguments arguments{"improve",      in,  "-o",       "out.msh",    "--target-amips", "3.5",
+                        "--max-passes", "3", "--report", "report.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  };
+  const Ended e = improve({"--relative-envelope", "0.02"});
+  ASSERT_EQ(e.status, 0) << e.err;
+  const Json moved = json("report.json")["envelopes"][0];
+  EXPECT_GT(moved["moved"], 0);
+  EXPECT_LE(moved["moved"], moved["distance"]);
+  EXPECT_LE(moved["moved_from"], moved["distance"]);
+  const Json before = info(in)["meshes"]["tetrahedra"], after = info("out.msh")["meshes"]["tetrahedra"];
+  EXPECT_EQ(before["euler_characteristic"], after["euler_characteristic"]);
+  EXPECT_EQ(before["cavities"], after["cavities"]);
+  EXPECT_EQ(improve({"--envelope", "0.1", "--relative-envelope", "0.1"}).status, 2);
+  EXPECT_EQ(improve({"--envelope", "0"}).status, 2);
+}
+
 #ifdef MULTIMESH_WITH_TETGEN
 TEST_F(ImproveCommand, KeepsACavityThatTouchesTheOutside) {
   ASSERT_EQ(run({"tetrahedralize", data("cavity_touch.obj"), "-o", "in.msh"}).status, 0);

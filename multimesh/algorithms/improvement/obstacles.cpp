@@ -66,6 +66,8 @@ void Obstacles::read_edge(Dart e) {
          last = (last + 1) % ring_.rim.size())
       sum += angle(last);
     if (is_thin_at(last) || std::find(held.begin(), held.end(), last) == held.end()) continue;
+    if (work_.envelope_of(work_.face_at(ring_, first)) || work_.envelope_of(work_.face_at(ring_, last)))
+      continue;
     const Forced forced{least_amips_at_dihedral(sum), sum * degrees, Force::edge};
     force(e, forced);
     force(work_.mesh().reorder(e, exchange_ends), forced);

@@ -97,6 +97,12 @@ void Workspace::keep_volumes(const Embedding& embedding, double share) {
   operations_.add(*volumes_);
 }
 
+std::vector<EnvelopeUse> Workspace::measure_envelopes() const {
+  std::vector<EnvelopeUse> list;
+  for (const auto& e : envelopes_) list.push_back({e->node(), e->envelope().distance(), e->measure()});
+  return list;
+}
+
 // Where several meshes have the wall, all of them must be.
 const StaysInEnvelope* Workspace::envelope_of(Dart wall) const {
   if (envelopes_.empty() || strata_.wall_stays(wall)) return nullptr;

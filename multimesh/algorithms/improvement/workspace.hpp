@@ -84,6 +84,7 @@ class Workspace {
 
   /// What holds a wall, if it is only held in an envelope.
   const StaysInEnvelope* envelope_of(Dart wall) const;
+  std::vector<EnvelopeUse> measure_envelopes() const;
 
   // --- copies: in a periodic tile, the vertices and edges that are one in the torus
   bool is_copied(Index v) const { return strata_.is_copied(v); }
