@@ -127,7 +127,8 @@ bool Strata::parts_differ(Dart f, Dart beyond) const {
 // The face as the facet on its other side has it; that may be at another preimage.
 Dart Strata::beyond(Dart f) const {
   const Dart across = mesh_.switch_dart(f, 3);
-  if (across != no_dart || !may_be(f, 2, copied) || !has_preimages_beside(f, 2)) return across;
+  if (across != no_dart || node_ == NodeId::root || !may_be(f, 2, copied) || !has_preimages_beside(f, 2))
+    return across;
   const auto other = [&](const Copy& c) { return mesh_.facet(c.dart) != mesh_.facet(f); };
   const std::span<const Copy> all = copies_.of(node_);
   const auto found = std::ranges::find_if(all, other);

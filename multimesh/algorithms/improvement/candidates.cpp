@@ -105,8 +105,7 @@ void Candidates::edge_swap(Dart e, const Demand& demand, Candidate& best) {
   read_edge_state(ring_);
   const bool surface = edge_.faces.size() == 2;
   // What is swapped in a torus may not be in its tile.
-  work_.read_copies(e, 1, copies_);
-  if (copies_.size() > 1 || edge_.curve || edge_.locked || (!edge_.is_free() && !surface) ||
+  if (work_.is_edge_copied(e) || edge_.curve || edge_.locked || (!edge_.is_free() && !surface) ||
       ring_.size() > largest_ring || ring_.rim.size() < 3 || (surface && !may_swap_wall(ring_))) {
     note(Kind::edge_swap, low, high, demand);
     return refuse(Kind::edge_swap, Why::held);
@@ -208,8 +207,9 @@ double Candidates::merged_quality(double limit) const {
   double worst = 0;
   for (const Corners& c : star_) {
     Index b = merging_.front().second;
-    for (const auto& [from, to] : merging_)
-      if (from == c[0]) b = to;
+    if (merging_.size() > 1)
+      for (const auto& [from, to] : merging_)
+        if (from == c[0]) b = to;
     if (c[1] == b || c[2] == b || c[3] == b) continue;
     worst = std::max(worst, work_.quality_of(Corners{b, c[1], c[2], c[3]}, limit));
     if (worst >= limit) break;
@@ -227,7 +227,7 @@ void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
   if (!is_free && (work_.strata().is_fixed(a) || (demand.remember && refusals_.knows_held(a)) ||
                    (work_.strata().of(a) & ~work_.strata().of(b) & ~Strata::fixed)))
     return refuse(Kind::collapse, Why::held);
-  if (!read_merging(e) || allowed(a, point(b)) != point(b)) {
+  if (!read_merging(e) || (work_.is_copied(a) && work_.allowed(a, point(b)) != point(b))) {
     note(Kind::collapse, a, b, demand);
     return refuse(Kind::collapse, Why::held);
   }

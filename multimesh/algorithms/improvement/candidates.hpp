@@ -111,7 +111,6 @@ class Candidates {
   Axes allowed_axes(Index v) const;
   Vec3 place_on_surface(const Vec3& start, Axes axes, double limit) const;
   bool may_swap_wall(const Ring& ring) const;
-  Vec3 allowed(Index v, const Vec3& x) const { return work_.is_copied(v) ? work_.allowed(v, x) : x; }
   bool is_fan_too_long(const Ring& ring, std::size_t apex, const Demand& demand) const;
   void read_opposite(Index v);
   const Vec3& point(Index v) const { return work_.point(v); }

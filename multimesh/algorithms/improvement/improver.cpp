@@ -101,7 +101,7 @@ void Improver::changed(Dart v, bool surface) {
   work_.read_star(v, star_);
   corners_.clear();
   for (const Index t : star_) {
-    for (const Index w : work_.corners(t)) work_.add_copies(w, corners_);
+    work_.add_copies(work_.corners(t), corners_);
   }
   refusals_.change(corners_, surface);
   if (trying_)

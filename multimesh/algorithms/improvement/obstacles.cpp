@@ -49,8 +49,7 @@ void Obstacles::force(Dart at, const Forced& f) {
 
 // The angle from this face to the next one around the edge, through the tetrahedron of the dart.
 void Obstacles::read_edge(Dart e) {
-  work_.read_copies(e, 1, copies_);
-  if (copies_.size() > 1 || work_.strata().edge_stays(e)) return;
+  if (work_.is_edge_copied(e) || work_.strata().edge_stays(e)) return;
   work_.read_ring(e, ring_);
   work_.read_walls(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;
@@ -80,8 +79,7 @@ bool Obstacles::is_thin_at(std::size_t rim) const {
 
 bool Obstacles::is_crease(Dart e) {
   if (work_.strata().is_curve(e)) return true;
-  work_.read_copies(e, 1, copies_);
-  if (copies_.size() > 1 || work_.strata().edge_stays(e)) return false;  // nothing is known of copies
+  if (work_.is_edge_copied(e) || work_.strata().edge_stays(e)) return false;  // nothing is known of copies
   work_.read_ring(e, ring_);
   work_.read_walls(ring_, held_faces_);
   const std::vector<std::size_t>& held = held_faces_;

@@ -45,7 +45,6 @@ class Obstacles {
   Vec3 place_{};
   Ring ring_;
   std::vector<std::size_t> held_faces_;
-  DartBuffer copies_;
 };
 
 }  // namespace multimesh::improvement

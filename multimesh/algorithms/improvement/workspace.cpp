@@ -65,7 +65,8 @@ Workspace::Workspace(const Embedding& embedding, NodeId node, const ImproveOptio
       points_follow_(node, points_,
                      [this](Operation, const VertexChange& c) { return tets_.positions().at(c.vertex); }),
       strata_(embedding, node),
-      flatness_{options.surface_splits == SurfaceSplits::rounded} {
+      flatness_{options.surface_splits == SurfaceSplits::rounded},
+      has_copies_(node != NodeId::root) {
   for (Index v = 0; v < points_.size(); ++v)
     if (mesh_.is_live(0, v)) points_[v] = tets_.positions().at(v);
   operations_.add(points_follow_);
@@ -182,8 +183,7 @@ void Workspace::read_star(Dart v, std::vector<Index>& tets) const {
 
 // --- copies
 
-void Workspace::read_copies(Dart d, int k, DartBuffer& copies) const {
-  copies.assign(1, d);
+void Workspace::add_other_copies(Dart d, int k, DartBuffer& copies) const {
   const Index v = mesh_.vertex(d);
   if (!is_copied(v) || (k > 0 && !is_copied(mesh_.vertex(mesh_.reorder(d, exchange_ends))))) return;
   copies_.collect(tets_.tree(), node_, d, k);
@@ -197,8 +197,7 @@ void Workspace::add_copies(Index v, std::vector<Index>& copies) const {
   for (const Copy& c : copies_.of(node_)) copies.push_back(mesh_.vertex(c.dart));
 }
 
-Index Workspace::name(Index v) const {
-  if (!is_copied(v)) return v;
+Index Workspace::name_of_copies(Index v) const {
   copies_.collect(tets_.tree(), node_, mesh_.dart_of(0, v), 0);
   for (const Copy& c : copies_.of(node_)) v = std::min(v, mesh_.vertex(c.dart));
   return v;

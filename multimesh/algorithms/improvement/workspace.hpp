@@ -87,13 +87,27 @@ class Workspace {
   std::vector<EnvelopeUse> measure_envelopes() const;
 
   // --- copies: in a periodic tile, the vertices and edges that are one in the torus
-  bool is_copied(Index v) const { return strata_.is_copied(v); }
+  bool is_copied(Index v) const { return has_copies_ && strata_.is_copied(v); }
   /// All copies of the k-simplex of a dart, which is the first of them. Their corners are in its order.
-  void read_copies(Dart d, int k, DartBuffer& copies) const;
+  void read_copies(Dart d, int k, DartBuffer& copies) const {
+    copies.assign(1, d);
+    if (has_copies_) add_other_copies(d, k, copies);
+  }
+  /// Whether the edge has others.
+  bool is_edge_copied(Dart e) const {
+    if (!has_copies_) return false;
+    read_copies(e, 1, edge_copies_);
+    return edge_copies_.size() > 1;
+  }
   /// All copies of a vertex.
   void add_copies(Index v, std::vector<Index>& copies) const;
+  /// Of the corners of a tetrahedron.
+  void add_copies(const Corners& corners, std::vector<Index>& copies) const {
+    if (!has_copies_) return (void)copies.insert(copies.end(), corners.begin(), corners.end());
+    for (const Index v : corners) add_copies(v, copies);
+  }
   /// The same number for all copies of a vertex: the least of theirs.
-  Index name(Index v) const;
+  Index name(Index v) const { return is_copied(v) ? name_of_copies(v) : v; }
   /// The place of a vertex as it is seen from a copy of `from` when that copy is seen at `from`.
   Vec3 seen_from(Index from, Index copy, Index v) const {
     return from == copy ? points_[v] : points_[v] + (points_[from] - points_[copy]);
@@ -114,6 +128,8 @@ class Workspace {
   bool move(Dart v, const Vec3& to);
 
  private:
+  void add_other_copies(Dart d, int k, DartBuffer& copies) const;
+  Index name_of_copies(Index v) const;
   void confine(const Confinement& c);
   void keep_volumes(const Embedding& embedding, double share);
   bool is_positive_around(Dart v);
@@ -130,7 +146,8 @@ class Workspace {
   Flatness flatness_;
   DartBuffer found_;
   std::vector<Corners> star_;
-  mutable DartBuffer darts_, centres_;
+  bool has_copies_;
+  mutable DartBuffer darts_, centres_, edge_copies_;
   mutable Copies copies_;
   mutable std::vector<NodeId> meshes_;
 };
