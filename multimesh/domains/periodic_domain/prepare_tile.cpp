@@ -58,7 +58,7 @@ void fit_copies(LabelledTile& tile, const Lattice& lattice, VertexClasses& class
 }
 
 void make_proper(LabelledTile& tile, bool refine, PeriodicReport& report) {
-  if (const auto reason = too_short(QuotientEdges(tile))) {
+  if (const auto reason = too_short(QuotientEdges(at_copies(tile)))) {
     if (!refine)
       throw InputError("the glued tile is no simplicial complex: " + *reason +
                        ". Refine the tile (PeriodicOptions::refine), or make it of several cells");
@@ -67,8 +67,8 @@ void make_proper(LabelledTile& tile, bool refine, PeriodicReport& report) {
     report.added_facets = tile.facets.size() - before;
   }
   if (const auto pair = double_facet(tile))
-    throw InputError("facets " + std::to_string(tile.input_facet[(*pair)[0]]) + " and " +
-                     std::to_string(tile.input_facet[(*pair)[1]]) + " of the tile lie at the same place");
+    throw InputError("facets " + std::to_string((*pair)[0]) + " and " + std::to_string((*pair)[1]) +
+                     " of the tile lie at the same place");
 }
 
 }  // namespace

@@ -45,6 +45,25 @@ std::array<Index, 2> QuotientEdges::parallel(Index e) const {
   return {begin, end};
 }
 
+LabelledTile at_copies(const LabelledTile& tile) {
+  std::vector<std::uint8_t> copies(tile.classes, 0);
+  for (const Index c : tile.vertex_class)
+    if (c != no_index && copies[c] < 2) ++copies[c];
+  LabelledTile part{{tile.facets.dimension, tile.facets.vertices, {}},
+                    {},
+                    tile.point,
+                    tile.vertex_class,
+                    tile.offset,
+                    tile.classes};
+  for (std::size_t f = 0; f < tile.facets.size(); ++f) {
+    const auto corners = tile.facets.facet(f);
+    if (std::ranges::none_of(corners, [&](Index v) { return copies[tile.vertex_class[v]] > 1; })) continue;
+    part.facets.corners.insert(part.facets.corners.end(), corners.begin(), corners.end());
+    part.input_facet.push_back(tile.input_facet[f]);
+  }
+  return part;
+}
+
 namespace {
 
 int axes_of(const LatticeVector& v) {
@@ -107,7 +126,8 @@ std::optional<std::array<Index, 2>> double_facet(const LabelledTile& tile) {
   std::sort(order.begin(), order.end(),
             [&](Index f, Index g) { return vertices[f] != vertices[g] ? vertices[f] < vertices[g] : f < g; });
   for (Index i = 1; i < facets; ++i)
-    if (vertices[order[i - 1]] == vertices[order[i]]) return std::array{order[i - 1], order[i]};
+    if (vertices[order[i - 1]] == vertices[order[i]])
+      return std::array{tile.input_facet[order[i - 1]], tile.input_facet[order[i]]};
   return std::nullopt;
 }
 
