@@ -12,7 +12,7 @@ namespace {
 
 double six_volume_of(const Mesh& mesh, const Coordinates& positions, Index t) {
   Index v[4];
-  mesh.vertices(mesh.dart_of(3, t), v);  // in the order of its orientation
+  mesh.facet_vertices(t, v);  // in the order of its orientation
   return six_volume(positions.at(v[0]), positions.at(v[1]), positions.at(v[2]), positions.at(v[3]));
 }
 

@@ -122,6 +122,8 @@ class Mesh {
   virtual Dart reorder(Dart d, Permutation p) const = 0;    ///< another dart of the same facet
   virtual Permutation order(Dart from, Dart to) const = 0;  ///< p with reorder(from, p) == to; same facet
   virtual void vertices(Dart d, Index* out) const = 0;      ///< dimension()+1 of them, in order
+  /// Those of a live facet, in the order of its dart_of: in one call, for loops over facets.
+  virtual void facet_vertices(Index facet, Index* out) const { vertices(dart_of(dimension_, facet), out); }
   /// Whether the k-simplices of two darts are the same one.
   virtual bool same_simplex(Dart d, Dart e, int k) const { return simplex(d, k) == simplex(e, k); }
 

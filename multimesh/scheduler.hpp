@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "multimesh/edge_queue.hpp"
 #include "multimesh/faces.hpp"
 #include "multimesh/operations.hpp"
+#include "multimesh/star_stamps.hpp"
+#include "multimesh/work_queue.hpp"
 
 namespace multimesh {
 
@@ -42,62 +44,101 @@ class PriorityScheduler {
   };
 
   explicit PriorityScheduler(const Propagation& operations, NodeId node = NodeId::root)
-      : tree_(operations.tree()), node_(node), mesh_(tree_.mesh(node)) {}
+      : PriorityScheduler(operations, node, own_stars_) {}
+  /// `stars`: those in which the caller notes its own changes, too; they must outlive the scheduler.
+  PriorityScheduler(const Propagation& operations, NodeId node, StarStamps& stars)
+      : tree_(operations.tree()), node_(node), mesh_(tree_.mesh(node)), stars_(stars) {}
 
-  /// Runs until the policy is finished or a whole pass over the refused edges has changed nothing. After each
-  /// operation, all edges of the facets that changed (Outcome::changed) get a new cost; after a collapse in a
-  /// surface only those at the merged vertex. Refused edges are tried again when that happens to them, and in
-  /// the next pass. Edges farther away may also depend on what was changed; the policy must detect this when
-  /// they are due, and postpone them. Cost: O(log n) per operation and update.
+  PriorityScheduler(const PriorityScheduler&) = delete;
+  PriorityScheduler& operator=(const PriorityScheduler&) = delete;
+
+  /// Runs on all edges until the policy is finished, or each edge left was refused in the present state of
+  /// the stars of its ends. After each operation, all edges of the facets that changed (Outcome::changed) get
+  /// a new cost; after a collapse in a surface only those at the merged vertex. Refused edges are tried again
+  /// when that happens to them, and in the next pass if a star of their ends has changed. Edges farther away
+  /// may also depend on what was changed; the policy must detect this when they are due, and postpone them.
+  /// Cost: O(log n) per operation and update.
   template <class Policy>
   Stop run(Policy& policy) {
-    const auto start = std::chrono::steady_clock::now();
-    const Stop stop = run_passes(policy);
-    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return stop;
+    refused_.clear();
+    refused_at_.clear();
+    return timed(policy, [&] { queue_where(policy, [](Dart) { return true; }); });
+  }
+  /// Runs on the edges that are still due after the last run, and on those at stars that have changed since.
+  template <class Policy>
+  Stop resume(Policy& policy) {
+    return timed(policy, [&] { queue_where(policy, [&](Dart e) { return stamp(e) > seen_; }); });
   }
 
   /// Of the last run, wall-clock time.
   double seconds() const noexcept { return seconds_; }
 
-  /// Edges refused in the last pass: the reason why a run is exhausted.
+  /// Whether the edge was refused when it was asked last.
+  bool was_refused(Index edge) const { return edge < refused_at_.size() && refused_at_[edge] != 0; }
+  /// Edges that were refused: the reason why a run is exhausted.
   const std::vector<Index>& refused_edges() const noexcept { return refused_; }
 
  private:
-  template <class Policy>
-  Stop run_passes(Policy& policy) {
+  template <class Policy, class Queue>
+  Stop timed(Policy& policy, const Queue& queue) {
+    const auto start = std::chrono::steady_clock::now();
+    queue();
+    const Stop stop = run_passes(policy);
+    seen_ = stars_.now();
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return stop;
+  }
+
+  template <class Policy, class Which>
+  void queue_where(Policy& policy, const Which& which) {
     queue_.reserve(mesh_.capacity(1));
     for (Index e = 0; e < mesh_.capacity(1); ++e)
       if (mesh_.is_live(1, e))
-        if (const auto cost = policy.cost(mesh_.dart_of(1, e))) queue_.push(e, *cost);
+        if (const Dart d = mesh_.dart_of(1, e); which(d)) update(d, policy);
+  }
+
+  template <class Policy>
+  Stop run_passes(Policy& policy) {
     for (;;) {
-      const std::size_t done = operations_;
       if (pass(policy) == Stop::finished) return Stop::finished;
-      if (operations_ == done) return Stop::exhausted;
-      ask_again(policy);
+      if (!ask_again(policy)) return Stop::exhausted;
     }
   }
 
   template <class Policy>
   Stop pass(Policy& policy) {
-    refused_.clear();
-    EdgeQueue::Entry next;
+    WorkQueue::Entry next;
     while (queue_.pop(next)) {
-      if (!mesh_.is_live(1, next.edge)) continue;
-      if (policy.finished(next.cost)) return Stop::finished;
-      const Attempt attempt = policy.apply(mesh_.dart_of(1, next.edge), next.cost);
+      const Index edge = next.simplex;
+      if (!mesh_.is_live(1, edge)) continue;
+      if (policy.finished(next.cost)) {
+        queue_.push(edge, next.cost);
+        return Stop::finished;
+      }
+      const Dart d = mesh_.dart_of(1, edge);
+      const Attempt attempt = policy.apply(d, next.cost);
       if (attempt.postponed) {
-        queue_.push(next.edge, attempt.cost);
-        continue;
+        queue_.push(edge, attempt.cost);
+      } else if (attempt.outcome) {
+        if (was_refused(edge)) refused_at_[edge] = 0;
+        update_around(attempt.outcome, policy);
+      } else {
+        note_refused(edge, stamp(d));
       }
-      if (!attempt.outcome) {
-        refused_.push_back(next.edge);
-        continue;
-      }
-      ++operations_;
-      update_around(attempt.outcome, policy);
     }
     return Stop::exhausted;
+  }
+
+  /// Of the ends of an edge.
+  StarStamps::Stamp stamp(Dart e) const {
+    const Index ends[] = {mesh_.vertex(e), mesh_.vertex(mesh_.reorder(e, exchange_ends))};
+    return stars_.latest(ends);
+  }
+
+  void note_refused(Index edge, StarStamps::Stamp at) {
+    if (edge >= refused_at_.size()) refused_at_.resize(std::max<std::size_t>(mesh_.capacity(1), edge + 1), 0);
+    if (refused_at_[edge] == 0) refused_.push_back(edge);
+    refused_at_[edge] = std::uint64_t{at} + 1;
   }
 
   template <class Policy>
@@ -127,6 +168,7 @@ class PriorityScheduler {
   void update_around(Dart changed, const Outcome& outcome, Policy& policy) {
     const int d = mesh_.dimension();
     mesh_.star(changed, outcome.changed_dimension, star_);
+    stamp_star();
     if (outcome.operation != Operation::collapse || d > 2) return update_all(policy);
     const bool boundary = d == 2 && mesh_.is_boundary(changed, 0);
     for (const Dart t : star_) {
@@ -150,22 +192,44 @@ class PriorityScheduler {
       if (i == 0 || edges_[i].first != edges_[i - 1].first) update(edges_[i].second, policy);
   }
 
+  void stamp_star() {
+    corners_.clear();
+    Index v[4];
+    for (const Dart t : star_) {
+      mesh_.vertices(t, v);
+      corners_.insert(corners_.end(), v, v + mesh_.dimension() + 1);
+    }
+    stars_.change(corners_);
+  }
+
+  /// Queues the refused edges at stars that have changed since. \return false if there are none
   template <class Policy>
-  void ask_again(Policy& policy) {
-    for (const Index e : refused_)
-      if (mesh_.is_live(1, e))
-        if (const auto cost = policy.cost(mesh_.dart_of(1, e))) queue_.push(e, *cost);
+  bool ask_again(Policy& policy) {
+    bool any = false;
+    std::erase_if(refused_, [&](Index e) {
+      const bool is_live = mesh_.is_live(1, e);
+      const Dart d = is_live ? mesh_.dart_of(1, e) : no_dart;
+      if (is_live && std::uint64_t{stamp(d)} + 1 == refused_at_[e]) return false;
+      refused_at_[e] = 0;
+      if (is_live) update(d, policy), any = true;
+      return true;
+    });
+    return any;
   }
 
   const MultiMesh& tree_;
   NodeId node_;
   const Mesh& mesh_;
+  StarStamps own_stars_;
+  StarStamps& stars_;
+  StarStamps::Stamp seen_ = 0;
   Copies copies_;
-  EdgeQueue queue_;
+  WorkQueue queue_;
   std::vector<Index> refused_;
+  std::vector<std::uint64_t> refused_at_;  // per edge: one more than its stamp then; 0: it was not
+  std::vector<Index> corners_;
   DartBuffer star_;
   std::vector<std::pair<Index, Dart>> edges_;
-  std::size_t operations_ = 0;
   double seconds_ = 0;
 };
 

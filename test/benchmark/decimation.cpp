@@ -4,7 +4,7 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModEdgeLengthT.hh>
 
-#include "multimesh/edge_queue.hpp"
+#include "multimesh/work_queue.hpp"
 #include "multimesh/scheduler.hpp"
 
 namespace multimesh::bench {
@@ -32,12 +32,12 @@ Decimation decimate_bare(SurfaceMesh& mesh, std::size_t faces) {
     const auto h = mesh.halfedge_handle(e, 0);
     return (mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h))).squared_norm();
   };
-  EdgeQueue queue;
+  WorkQueue queue;
   queue.reserve(mesh.n_edges());
   for (const auto e : mesh.edges()) queue.push(static_cast<Index>(e.idx()), cost(e));
-  EdgeQueue::Entry next;
+  WorkQueue::Entry next;
   while (queue.pop(next)) {
-    const OpenMesh::EdgeHandle e(static_cast<int>(next.edge));
+    const OpenMesh::EdgeHandle e(static_cast<int>(next.simplex));
     if (mesh.status(e).deleted()) continue;
     if (done.faces <= faces) break;
     const auto h = mesh.halfedge_handle(e, 0);

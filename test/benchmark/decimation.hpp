@@ -12,7 +12,7 @@ struct Decimation {
   double checksum = 0;    ///< of the vertex positions
 };
 
-/// Shortest edge first, midpoint placement, until at most `faces` are left. One queue (EdgeQueue) and the
+/// Shortest edge first, midpoint placement, until at most `faces` are left. One queue (WorkQueue) and the
 /// same updates in both; `mesh` and `tree` start from the same shape.
 Decimation decimate_bare(SurfaceMesh& mesh, std::size_t faces);
 Decimation decimate_tree(SurfaceTree& tree, std::size_t faces);

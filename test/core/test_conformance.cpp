@@ -58,6 +58,15 @@ TEST_P(Conformance, HasAllOrderingsOfEachFacetAsDarts) {
   }
 }
 
+TEST_P(Conformance, GivesTheVerticesOfAFacetInTheOrderOfItsDart) {
+  for (const Dart f : simplices_of(*mesh_, d_)) {
+    std::vector<Index> v(4);
+    mesh_->facet_vertices(mesh_->facet(f), v.data());
+    v.resize(static_cast<std::size_t>(d_) + 1);
+    EXPECT_EQ(v, vertices(mesh_->dart_of(d_, mesh_->facet(f)), d_));
+  }
+}
+
 TEST_P(Conformance, SwitchChangesOnlyItsOwnSimplexAndIsAnInvolution) {
   for (const Dart d : all_darts(*mesh_))
     for (int k = 0; k <= d_; ++k) {

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <random>
+#include <set>
 
 #include "multimesh/scheduler.hpp"
 #include "test/core/drawn.hpp"
@@ -171,6 +174,54 @@ struct Sinking : Scheduled {
     return tree_.move(NodeId::root, high, Point3(0, 0, point(other(high))[2] - point(high)[2]));
   }
 };
+
+/// Collapses short edges, and counts how often each is asked between changes at its ends.
+struct Collapsing : Scheduled {
+  Collapsing(Tree& tree, double least) : Scheduled(tree), least(least) {}
+  std::optional<double> cost(Dart e) const {
+    return length(e) < least ? std::optional(length(e)) : std::nullopt;
+  }
+  Outcome apply(Dart e, double) {
+    const Index a = root_.vertex(e), b = root_.vertex(other(e));
+    ++asked[{std::min(a, b), std::max(a, b), changes[a], changes[b]}];
+    const Outcome o = tree_.operations->collapse(NodeId::root, e, Placement::at(0.5));
+    if (!o) return o;
+    DartBuffer star;
+    root_.star(o.root, 0, star);
+    std::set<Index> around;
+    for (const Dart d : star) {
+      Index v[4];
+      root_.vertices(d, v);
+      around.insert(v, v + 3);
+    }
+    for (const Index v : around) ++changes[v];
+    return o;
+  }
+  double least;
+  std::map<std::array<Index, 4>, int> asked;
+  std::map<Index, Index> changes;  // of the star of a vertex
+};
+
+// The curves below refuse many.
+TEST(PriorityScheduler, AsksNothingTwiceInVainAndNothingIsLeft) {
+  for (const TreeKind& kind : tree_kinds()) {
+    const auto tree = kind.make(24, 3);
+    const Mesh& root = tree->tree->mesh(NodeId::root);
+    if (root.dimension() != 2) continue;
+    Collapsing policy(*tree, 0.8 * Scheduled(*tree).longest());
+    PriorityScheduler scheduler(*tree->operations);
+    EXPECT_EQ(scheduler.run(policy), PriorityScheduler::Stop::exhausted);
+    for (const auto& [question, times] : policy.asked) EXPECT_EQ(times, 1) << kind.name;
+    const std::size_t asked = policy.asked.size();
+    EXPECT_EQ(scheduler.resume(policy), PriorityScheduler::Stop::exhausted);
+    EXPECT_EQ(policy.asked.size(), asked) << kind.name << ": nothing has changed since";
+    for (Index e = 0; e < root.capacity(1); ++e)
+      if (root.is_live(1, e) && policy.cost(root.dart_of(1, e))) {
+        EXPECT_FALSE(tree->operations->collapse(NodeId::root, root.dart_of(1, e), Placement::at(0.5)))
+            << kind.name << ": an edge is left that could be collapsed";
+      }
+  }
+}
 
 TEST(PriorityScheduler, MovesUntilNothingIsLeft) {
   std::mt19937 random(1);

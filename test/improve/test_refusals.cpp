@@ -27,15 +27,18 @@ TEST(Refusals, OfAnUndoneTrialDoNotHoldAndThoseBeforeItDo) {
   Refusals refusals(100);
   refusals.change({1, 2}, true);
   refusals.note(Kind::smoothing, 1, 1);
-  const std::size_t outer = refusals.begin_trial();
-  refusals.change({1, 7}, true);
-  refusals.note(Kind::smoothing, 7, 7);
-  const std::size_t inner = refusals.begin_trial();
-  refusals.change({1, 2}, true);
-  refusals.note(Kind::smoothing, 2, 2);
-  refusals.end_trial(inner, false);
-  EXPECT_TRUE(refusals.knows(Kind::smoothing, 2, 2));
-  refusals.end_trial(outer, true);
+  {
+    Refusals::Trial outer(refusals);
+    refusals.change({1, 7}, true);
+    refusals.note(Kind::smoothing, 7, 7);
+    {
+      Refusals::Trial inner(refusals);
+      refusals.change({1, 2}, true);
+      refusals.note(Kind::smoothing, 2, 2);
+      inner.keep();
+    }
+    EXPECT_TRUE(refusals.knows(Kind::smoothing, 2, 2));
+  }
   EXPECT_TRUE(refusals.knows(Kind::smoothing, 1, 1));
   EXPECT_FALSE(refusals.knows(Kind::smoothing, 2, 2));
   EXPECT_FALSE(refusals.knows(Kind::smoothing, 7, 7));

@@ -44,10 +44,10 @@ bool Candidates::read_place(Dart v, const Demand& demand) {
 // Reads the star of the vertex, unless it is the last one that was read, in the same state.
 void Candidates::read_star_at(Dart v) {
   const Index a = work_.mesh().vertex(v);
-  if (a == star_of_ && refusals_.state(a) == star_state_ && star_state_ > 0) return;
+  if (a == star_of_ && refusals_.stars().of(a) == star_stamp_ && star_stamp_ > 0) return;
   work_.read_star(v, star_);
   star_of_ = a;
-  star_state_ = refusals_.state(a);
+  star_stamp_ = refusals_.stars().of(a);
   star_quality_ = star_quality(star_);
 }
 

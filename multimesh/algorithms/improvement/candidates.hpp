@@ -123,7 +123,7 @@ class Candidates {
   EdgeState edge_;
   std::vector<Corners> star_;
   Index star_of_ = no_index;  ///< the vertex of that star, in this state
-  Refusals::State star_state_ = 0;
+  Refusals::Stamp star_stamp_ = 0;
   double star_quality_ = 0;
   std::vector<Opposite> opposite_;
   /// Of an edge with copies:

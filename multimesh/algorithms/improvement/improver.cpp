@@ -204,15 +204,12 @@ void Improver::push_bad() {
     if (work_.is_live(t)) push(t);
 }
 
-// The corner whose star has changed last stands for all four.
-Refusals::State Improver::state(Index t) const {
-  Refusals::State latest = 0;
-  for (const Index v : work_.corners(t)) latest = std::max(latest, refusals_.state(v));
-  return latest;
+Refusals::Stamp Improver::stamp(Index t) const {
+  return refusals_.stars().latest(work_.corners(t));
 }
 
 bool Improver::was_asked(Index t, int effort) const {
-  return t < asked_.size() && asked_[t].effort >= effort && asked_[t].state == state(t);
+  return t < asked_.size() && asked_[t].effort >= effort && asked_[t].stamp == stamp(t);
 }
 
 void Improver::improve_bad(Index t, int trial_splits) {
@@ -224,15 +221,15 @@ void Improver::improve_bad(Index t, int trial_splits) {
     if (trial_splits > 1 && try_refinement(t, trial_splits)) return;
   }
   if (t >= asked_.size()) asked_.resize(t + t / 2 + 1);
-  asked_[t] = {state(t), trial_splits};
+  asked_[t] = {stamp(t), trial_splits};
 }
 
 std::size_t Improver::pass(int trial_splits) {
   const std::size_t done = done_;
   push_bad();
-  EdgeQueue::Entry next;
+  WorkQueue::Entry next;
   while (queue_.pop(next) && !is_out_of_time()) {
-    const Index t = next.edge;
+    const Index t = next.simplex;
     if (!work_.is_live(t) || work_.strata().facet_stays(t) || !(work_.quality_of(t) > limit_)) continue;
     tick();
     improve_bad(t, trial_splits);
@@ -320,7 +317,7 @@ std::size_t Improver::refine() {
 bool Improver::refine_and_improve() {
   constexpr int deepest = 3;
   Transaction round = work_.operations().transaction();
-  const std::size_t states = refusals_.begin_trial();
+  Refusals::Trial stamps(refusals_);
   const Counts counts = counts_;
   const std::size_t done = done_;
   const Badness before = badness();
@@ -328,12 +325,11 @@ bool Improver::refine_and_improve() {
     for (const int trial_splits : {0, 1, 2}) pass(trial_splits);
     if (!before.is_worse_than(badness())) continue;
     round.commit();
-    refusals_.end_trial(states, false);
+    stamps.keep();
     kept_.clear();
     asked_.clear();  // of what was kept, collapses were not asked
     return true;
   }
-  refusals_.end_trial(states, true);
   kept_.clear();
   done_ = done;
   for (std::size_t i = 0; i < n_kinds; ++i) counts_[i].done = counts[i].done;

@@ -7,7 +7,7 @@
 #include "multimesh/algorithms/improve.hpp"
 #include "multimesh/algorithms/improvement/candidates.hpp"
 #include "multimesh/algorithms/improvement/obstacles.hpp"
-#include "multimesh/edge_queue.hpp"
+#include "multimesh/work_queue.hpp"
 
 namespace multimesh::improvement {
 
@@ -68,7 +68,7 @@ class Improver {
   bool improve_tet(Index t);
   void improve_bad(Index t, int trial_splits);
   bool was_asked(Index t, int effort) const;
-  Refusals::State state(Index t) const;
+  Refusals::Stamp stamp(Index t) const;
   std::size_t count_worse(double quality) const;
   void push(Index t);
   Demand daring() const;
@@ -117,14 +117,14 @@ class Improver {
   Counts counts_{};
   Refusals refusals_;
   Candidates candidates_;
-  /// The greatest effort spent in vain on a tetrahedron, and the state of its corners' stars then.
+  /// The greatest effort spent in vain on a tetrahedron, and the stamp of its corners' stars then.
   struct Asked {
-    Refusals::State state = 0;
+    Refusals::Stamp stamp = 0;
     int effort = -1;
   };
   std::vector<Asked> asked_;
   Demand demand_;
-  EdgeQueue queue_;  ///< of tetrahedra; cost: minus the quality
+  WorkQueue queue_;  ///< of tetrahedra; cost: minus the quality
   std::size_t done_ = 0;
   bool trying_ = false;  ///< in a trial: changes go to touched_
   std::vector<Index> touched_, star_, corners_;

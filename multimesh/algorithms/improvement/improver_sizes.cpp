@@ -13,7 +13,7 @@ namespace multimesh::improvement {
 template <class Excess, class Apply>
 std::size_t Improver::sweep_edges(const Excess& excess, const Apply& apply) {
   const std::size_t done = done_;
-  EdgeQueue queue;
+  WorkQueue queue;
   Dart e = no_dart;
   const auto worst = [&](Index t) {
     const Corners c = work_.corners(t);
@@ -28,15 +28,16 @@ std::size_t Improver::sweep_edges(const Excess& excess, const Apply& apply) {
   };
   for (Index t = 0; t < work_.mesh().capacity(3); ++t)
     if (work_.is_live(t)) push(t);
-  EdgeQueue::Entry next;
+  WorkQueue::Entry next;
   trying_ = true;  // what changes goes to touched_, not to the queue of bad ones
   while (queue.pop(next) && !is_out_of_time()) {
     tick();
-    if (!work_.is_live(next.edge) || work_.strata().facet_stays(next.edge) || !(worst(next.edge) > 1))
+    if (!work_.is_live(next.simplex) || work_.strata().facet_stays(next.simplex) ||
+        !(worst(next.simplex) > 1))
       continue;
     touched_.clear();
-    if (!apply(next.edge, e)) continue;
-    touched_.push_back(next.edge);
+    if (!apply(next.simplex, e)) continue;
+    touched_.push_back(next.simplex);
     for (const Index t : touched_)
       if (work_.is_live(t)) push(t);
   }

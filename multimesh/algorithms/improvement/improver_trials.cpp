@@ -20,7 +20,7 @@ constexpr double trial_gain = 0.9;
 template <class Start>
 bool Improver::attempt(double before, const Start& start) {
   Transaction trial = work_.operations().transaction();
-  const std::size_t states = refusals_.begin_trial();
+  Refusals::Trial stamps(refusals_);
   const Counts counts = counts_;
   const std::size_t done = done_;
   trying_ = true;
@@ -29,13 +29,13 @@ bool Improver::attempt(double before, const Start& start) {
   const bool better = start() && improve_touched(std::max(trial_gain * before, limit_));
   trying_ = false;
   fresh_.clear();
-  refusals_.end_trial(states, !better);
   if (!better) {
     done_ = done;
     for (std::size_t i = 0; i < n_kinds; ++i) counts_[i].done = counts[i].done;
     return false;
   }
   trial.commit();
+  stamps.keep();
   for (const Index s : touched_)
     if (work_.is_live(s)) push(s);
   return true;

@@ -61,15 +61,10 @@ Workspace::Workspace(const Embedding& embedding, NodeId node, const ImproveOptio
       node_(node),
       mesh_(tets_.mesh()),
       operations_(tets_.operations()),
-      points_(mesh_.capacity(0)),
-      points_follow_(node, points_,
-                     [this](Operation, const VertexChange& c) { return tets_.positions().at(c.vertex); }),
+      points_(tets_.positions(), mesh_, operations_),
       strata_(embedding, node),
       flatness_{options.surface_splits == SurfaceSplits::rounded},
       has_copies_(node != NodeId::root) {
-  for (Index v = 0; v < points_.size(); ++v)
-    if (mesh_.is_live(0, v)) points_[v] = tets_.positions().at(v);
-  operations_.add(points_follow_);
   for (Attribute* a : options.carried) operations_.add(*a);
   for (const Confinement& c : options.confined) confine(c);
   if (!envelopes_.empty() && std::isfinite(options.keep_volume)) keep_volumes(embedding, options.keep_volume);
@@ -126,7 +121,7 @@ std::size_t Workspace::count_tets() const {
 
 Corners Workspace::corners(Index t, std::size_t first) const {
   Index v[4];
-  mesh_.vertices(mesh_.dart_of(3, t), v);
+  mesh_.facet_vertices(t, v);
   const auto& p = from_corner[first];
   return {v[p[0]], v[p[1]], v[p[2]], v[p[3]]};
 }

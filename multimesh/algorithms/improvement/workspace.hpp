@@ -138,8 +138,7 @@ class Workspace {
   NodeId node_;
   const Mesh& mesh_;
   Propagation& operations_;
-  std::vector<Vec3> points_;  ///< a copy of the coordinates, to be read at once
-  VertexAttribute<Vec3> points_follow_;
+  CoordinateList<Vec3> points_;
   Strata strata_;
   std::vector<std::unique_ptr<StaysInEnvelope>> envelopes_;
   std::optional<KeepsVolumes> volumes_;

@@ -17,17 +17,6 @@ void Remesher::count_edges() {
   }
 }
 
-std::vector<std::pair<double, Index>> Remesher::edges_in(double shortest, double longest) {
-  std::vector<std::pair<double, Index>> list;
-  for (Index e = 0; e < mesh_.capacity(1); ++e) {
-    if (!mesh_.is_live(1, e)) continue;
-    const double l = measure(mesh_.dart_of(1, e));
-    if (l > shortest && l < longest) list.emplace_back(l, e);
-  }
-  std::sort(list.begin(), list.end());
-  return list;
-}
-
 // Along a curve, edges have on average the length that the thresholds require. An edge is measured together
 // with the next ones on either side, with which smoothing will even it out: of edges that are all too short,
 // but whose double is too long, every third vertex can be removed.

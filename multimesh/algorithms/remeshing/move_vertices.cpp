@@ -34,9 +34,15 @@ Vec3 Remesher::centre(Dart vertex, Vec3& normal) {
 }
 
 void Remesher::smooth(Dart vertex) {
+  const std::uint64_t here = question(Question::smooth, mesh_.vertex(vertex));
+  if (refused_.knows(here, stars_.of(mesh_.vertex(vertex)))) return;
+  if (!move_to_centre(vertex)) refused_.note(here, stars_.of(mesh_.vertex(vertex)));
+}
+
+bool Remesher::move_to_centre(Dart vertex) {
   std::array<Dart, 2> line{};
   const Freedom freedom = strata_.freedom(vertex, line);
-  if (freedom == Freedom::none) return;
+  if (freedom == Freedom::none) return false;
   const Vec3 here = at(vertex);
   Vec3 step, normal(0, 0, 0);
   if (freedom == Freedom::line) {
@@ -46,14 +52,15 @@ void Remesher::smooth(Dart vertex) {
     if (normal.squared_norm() > 0) step -= normal * (dot(step, normal) / normal.squared_norm());
   }
   const Index v = mesh_.vertex(vertex);
-  if (placed_[v] && step.norm() < smallest_move_) return;
+  if (placed_[v] && step.norm() < smallest_move_) return false;
   for (const double share : {1.0, 0.5, 0.25, 0.0})  // the last one: at least onto the input
     if (const auto to = place(vertex, freedom, line, {here + step * share, share * step.norm()}, normal);
         to && move(vertex, *to)) {
       ++result_.moves;
       placed_[v] = true;
-      return;
+      return true;
     }
+  return false;
 }
 
 std::optional<Place> Remesher::place(Dart vertex, Freedom freedom, const std::array<Dart, 2>& line,
@@ -105,7 +112,7 @@ bool Remesher::move(Dart vertex, const Place& to) {
     }
   };
   read_stars(copies_, 0, changing_);
-  return guarded([&] { return operations_.relocate(node_, vertex, write); });
+  return static_cast<bool>(guarded([&] { return operations_.relocate(node_, vertex, write); }));
 }
 
 }  // namespace multimesh::remeshing

@@ -80,9 +80,15 @@ std::vector<Vec3> directions(Vec3 normal) {
 void Remesher::raise_least_angles() {
   for (int i = 0; i < most_repeats; ++i) {
     std::size_t raised = 0;
-    tried_.assign(mesh_.capacity(0), false);
-    for (const auto& [was, f] : faces_with_small_angles())
-      if (mesh_.is_live(2, f)) raised += raise_angle(mesh_.dart_of(2, f));
+    WorkQueue faces;
+    queue_small_angles(faces);
+    for (WorkQueue::Entry next; faces.pop(next);) {
+      if (!mesh_.is_live(2, next.simplex)) continue;
+      const Dart d = mesh_.dart_of(2, next.simplex);
+      const bool better = raise_angle(d);
+      raised += better;
+      if (!better) refused_.note(question(Question::raise_face, next.simplex), stamp(d));
+    }
     if (raised == 0) return;
   }
 }
@@ -93,15 +99,20 @@ double Remesher::least_angle_of(Dart triangle) const {
   return least_angle(positions_.at(v[0]), positions_.at(v[1]), positions_.at(v[2]));
 }
 
+StarStamps::Stamp Remesher::stamp(Dart triangle) const {
+  std::array<Index, 4> v{};
+  mesh_.vertices(triangle, v.data());
+  return stars_.latest(std::span(v).first(3));
+}
+
 // The smallest ones first.
-std::vector<std::pair<double, Index>> Remesher::faces_with_small_angles() const {
-  std::vector<std::pair<double, Index>> list;
+void Remesher::queue_small_angles(WorkQueue& faces) const {
   for (Index f = 0; f < mesh_.capacity(2); ++f) {
     if (!mesh_.is_live(2, f)) continue;
-    if (const double a = least_angle_of(mesh_.dart_of(2, f)); a < small_angle) list.emplace_back(a, f);
+    const Dart d = mesh_.dart_of(2, f);
+    const double a = least_angle_of(d);
+    if (a < small_angle && !refused_.knows(question(Question::raise_face, f), stamp(d))) faces.push(f, a);
   }
-  std::sort(list.begin(), list.end());
-  return list;
 }
 
 bool Remesher::raise_angle(Dart triangle) {
@@ -116,9 +127,11 @@ bool Remesher::raise_angle(Dart triangle) {
       return true;
   bool moved = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (tried_[corners[i]]) continue;
-    tried_[corners[i]] = true;
-    moved = move_to_raise_angles(mesh_.dart_of(0, corners[i])) || moved;
+    const std::uint64_t move = question(Question::raise_vertex, corners[i]);
+    if (refused_.knows(move, stars_.of(corners[i]))) continue;
+    const bool helped = move_to_raise_angles(mesh_.dart_of(0, corners[i]));
+    if (!helped) refused_.note(move, stars_.of(corners[i]));
+    moved = helped || moved;
   }
   return moved;
 }
@@ -146,9 +159,7 @@ bool Remesher::collapse_to_raise_angles(Dart edge) {
     mesh_.star(d, 0, star_);
     const Around around(mesh_, positions_, star_, options_.length);
     if (!around.lack(at(mesh_.reorder(d, exchange_ends))).is_less_than(around.lack(at(d)))) continue;
-    if (!collapse_guarded(d)) continue;
-    ++result_.collapses;
-    return true;
+    if (collapse_guarded(d)) return true;
   }
   return false;
 }

@@ -13,6 +13,8 @@
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
 #include "multimesh/column.hpp"
 #include "multimesh/embedding.hpp"
+#include "multimesh/refused_questions.hpp"
+#include "multimesh/scheduler.hpp"
 #include "multimesh/strata.hpp"
 
 namespace multimesh::remeshing {
@@ -24,7 +26,7 @@ inline constexpr double shortest_share = 4.0 / 5, longest_share = 4.0 / 3;
 inline constexpr double of_average = 1 / 0.92;
 
 /// One run. The passes change the mesh so that lengths come into range; between them vertices are moved to
-/// where triangles are regular, always onto the input.
+/// where triangles are regular, always onto the input. Nothing is asked again until a star there has changed.
 class Remesher {
  public:
   Remesher(EmbeddedMesh& surface, const RemeshOptions& options);
@@ -35,25 +37,26 @@ class Remesher {
  private:
   void let_others_work(int round);
   void refine();
-  std::size_t split_long_edges();
+  PriorityScheduler::Stop split_long_edges();
   bool flattens_beside_whole(Dart edge);
-  bool halve(Dart edge);
-  Dart split(Dart edge);
+  Outcome halve(Dart edge);
+  Outcome split(Dart edge);
   std::vector<PlaneSides::Count> count_sides(Dart d, int k);
-  std::size_t collapse_short_edges();
+  void collapse_short_edges();
   void swap_edges();
   void smooth();
   void raise_least_angles();
 
   bool may_be_removed(Dart edge);
-  bool collapse(Dart edge);
-  bool collapse_guarded(Dart edge);
+  Outcome collapse(Dart edge);
+  Outcome collapse_guarded(Dart edge);
   double longest_after_collapse(Dart edge);
   bool swap(Dart edge);
   bool may_be_swapped(Dart edge);
   bool swap_guarded(Dart edge);
   int deviation(Dart vertex, int change);
   void smooth(Dart vertex);
+  bool move_to_centre(Dart vertex);
   Vec3 centre(Dart vertex, Vec3& normal);
   struct Wanted {
     Vec3 at;
@@ -63,7 +66,7 @@ class Remesher {
                              const Wanted& wanted, const Vec3& normal) const;
   bool move(Dart vertex, const Place& to);
   double least_angle_of(Dart triangle) const;
-  std::vector<std::pair<double, Index>> faces_with_small_angles() const;
+  void queue_small_angles(WorkQueue& faces) const;
   bool raise_angle(Dart triangle);
   bool swap_to_raise_angles(Dart edge);
   bool collapse_to_raise_angles(Dart edge);
@@ -79,7 +82,8 @@ class Remesher {
   bool others_allow_collapse(Dart edge);
   bool charts_allow_swap() const;
   /// An operation on the triangles of changing_; undone if it moves the surface too far from the input.
-  bool guarded(const std::function<Outcome()>& operation);
+  Outcome guarded(const std::function<Outcome()>& operation);
+  Outcome refuse() const { return {{Check::invariant, node_, {}}, no_dart, no_dart}; }
   bool assign(const Place& to);
 
   Vec3 at(Dart d) const { return positions_.at(mesh_.vertex(d)); }
@@ -88,9 +92,16 @@ class Remesher {
   double measure(Dart edge);
   double measure_on_line(double length, Dart from, Dart to);
   std::optional<double> next_on_line(Dart edge);
-  /// By measure, ascending.
-  std::vector<std::pair<double, Index>> edges_in(double shortest, double longest);
   void count_edges();
+
+  // --- what is asked of whom, and was refused
+  enum class Question : std::uint8_t { smooth, raise_vertex, raise_face };
+  static std::uint64_t question(Question q, Index simplex) {
+    return std::uint64_t{simplex} << 2U | static_cast<std::uint64_t>(q);
+  }
+  StarStamps::Stamp stamp(Dart triangle) const;
+  void all_has_changed();
+  void note_changes(const DartBuffer& triangles);
 
   EmbeddedMesh& surface_;
   Propagation& operations_;
@@ -103,9 +114,10 @@ class Remesher {
   std::vector<Index> patch_, line_;  // of faces and edges, see Reference
   Column<Index> patch_column_, line_column_;
   double shortest_, longest_, smallest_move_;
-  std::vector<bool> stays_whole_;  // per edge: too long, but not split in this sweep
-  std::vector<bool> placed_;       // per vertex: on the input
-  std::vector<bool> tried_;        // per vertex: to raise angles, in this sweep
+  std::vector<bool> placed_;  // per vertex: on the input
+  StarStamps stars_;
+  RefusedQuestions refused_;
+  PriorityScheduler splitting_, collapsing_;
 
   Strata strata_;
   Reference reference_;
@@ -122,6 +134,7 @@ class Remesher {
   Copies copies_;
   std::vector<Write> writes_;
   DartBuffer star_, edges_, changing_;
+  std::vector<Index> corners_;
 };
 
 }  // namespace multimesh::remeshing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -51,6 +52,7 @@ class TetMesh final : public Mesh {
   Dart reorder(Dart d, Permutation p) const override;
   Permutation order(Dart from, Dart to) const override;
   void vertices(Dart d, Index* out) const override;
+  void facet_vertices(Index t, Index* out) const override { std::copy_n(tets_[t].v, 4, out); }
   bool same_simplex(Dart d, Dart e, int k) const override;
   /// The four vertices of a live tetrahedron, in the order of its local corners; positively oriented if the
   /// input was.

@@ -5,17 +5,17 @@
 #include <random>
 #include <set>
 
-#include "multimesh/edge_queue.hpp"
+#include "multimesh/work_queue.hpp"
 
 namespace multimesh {
 namespace {
 
 // Costs from a small set, so that ties are common; bursts of pushes, so that all parts of the queue are used.
-TEST(EdgeQueue, PopsInTheOrderOfAnOrderedSet) {
+TEST(WorkQueue, PopsInTheOrderOfAnOrderedSet) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    EdgeQueue queue;
+    WorkQueue queue;
     std::map<Index, double> cost;
     std::set<std::pair<double, Index>> expected;
     const auto erase = [&](Index e) {
@@ -38,11 +38,11 @@ TEST(EdgeQueue, PopsInTheOrderOfAnOrderedSet) {
         expected.insert({c, e});
       }
       for (auto n = random() % 2500; n-- > 0;) {
-        EdgeQueue::Entry least{};
+        WorkQueue::Entry least{};
         ASSERT_EQ(queue.pop(least), !expected.empty());
         if (expected.empty()) break;
-        ASSERT_EQ(std::pair(least.cost, least.edge), *expected.begin());
-        erase(least.edge);
+        ASSERT_EQ(std::pair(least.cost, least.simplex), *expected.begin());
+        erase(least.simplex);
       }
     }
   }

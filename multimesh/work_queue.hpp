@@ -12,29 +12,30 @@
 
 namespace multimesh {
 
-/// A priority queue of edges, lowest cost first, ties by index (so that runs are reproducible). Lazy: a new
-/// cost supersedes the old entry, which stays in the queue and is skipped when it comes up.
+/// A priority queue of simplices of one dimension, by index: lowest cost first, ties by index (so that runs
+/// are reproducible). Lazy: a new cost supersedes the old entry, which stays in the queue and is skipped when
+/// it comes up. Whoever changes the mesh pushes what is new or different.
 ///
 /// Only the entries up to a boundary form a heap, small enough for the cache. The others wait unsorted until
 /// the heap is empty; then about a sixteenth is moved into it. Amortized cost of an entry: sixteen sequential
 /// reads and a part of the small heap. (One heap of all misses the cache at each level.)
-class EdgeQueue {
+class WorkQueue {
  public:
   struct Entry {
     double cost;
-    Index edge;
+    Index simplex;
     std::uint32_t stamp;
   };
 
-  /// Reserves room for edges up to this index, so that stamps need no later allocation.
-  void reserve(std::size_t edges) {
-    stamps_.resize(std::max(edges, stamps_.size()), 0);
-    far_.reserve(2 * edges);
+  /// Reserves room for simplices up to this index, so that stamps need no later allocation.
+  void reserve(std::size_t simplices) {
+    stamps_.resize(std::max(simplices, stamps_.size()), 0);
+    far_.reserve(2 * simplices);
   }
 
-  void push(Index edge, double cost) {
-    if (edge >= stamps_.size()) stamps_.resize(edge + edge / 2 + 1, 0);
-    const Entry entry{cost, edge, ++stamps_[edge]};
+  void push(Index simplex, double cost) {
+    if (simplex >= stamps_.size()) stamps_.resize(simplex + simplex / 2 + 1, 0);
+    const Entry entry{cost, simplex, ++stamps_[simplex]};
     if (later(entry, boundary_)) {
       far_.push_back(entry);
     } else {
@@ -43,11 +44,11 @@ class EdgeQueue {
     }
   }
 
-  void erase(Index edge) {
-    if (edge < stamps_.size()) ++stamps_[edge];
+  void erase(Index simplex) {
+    if (simplex < stamps_.size()) ++stamps_[simplex];
   }
 
-  /// Pops the edge of least cost; false if there is none. The caller checks that the edge is still alive.
+  /// Pops the simplex of least cost; false if there is none. The caller checks that it is still alive.
   bool pop(Entry& least) {
     for (;;) {
       while (!near_.empty()) {
@@ -63,9 +64,9 @@ class EdgeQueue {
 
  private:
   static bool later(const Entry& x, const Entry& y) {
-    return x.cost > y.cost || (x.cost == y.cost && x.edge > y.edge);
+    return x.cost > y.cost || (x.cost == y.cost && x.simplex > y.simplex);
   }
-  bool is_current(const Entry& e) const { return stamps_[e.edge] == e.stamp; }
+  bool is_current(const Entry& e) const { return stamps_[e.simplex] == e.stamp; }
 
   void refill() {
     boundary_ = next_boundary();
