@@ -216,8 +216,15 @@ Dart Workspace::split(Dart e, const Vec3& at, std::uint8_t strata) {
   return outcome.dart;
 }
 
+// Copies of the merged vertex are put where they are copies to the last bit, which is not where they were
+// judged.
 Dart Workspace::collapse(Dart e) {
-  return operations_.collapse(node_, e, Placement::keep_b()).dart;
+  const bool copied = is_edge_copied(e);
+  Transaction scope = operations_.transaction();
+  const Dart merged = operations_.collapse(node_, e, Placement::keep_b()).dart;
+  if (merged == no_dart || (copied && !is_positive_around(merged))) return no_dart;
+  scope.commit();
+  return merged;
 }
 
 Dart Workspace::swap(Dart e) {
