@@ -210,7 +210,17 @@ void Strata::tabulate() {
     if (tree_.mesh(n).dimension() == 1 && mesh_.dimension() > 1) mark_curve(n, found, mark);
     if (tree_.mesh(n).dimension() == 0) mark_points(n, mark);
   }
+  share_with_copies(found);
   strata_ = std::move(found);
+}
+
+// What lies at one of several preimages lies at all of them.
+void Strata::share_with_copies(std::vector<std::uint8_t>& found) const {
+  for (Index v = 0; v < found.size(); ++v) {
+    if (!(found[v] & copied)) continue;
+    copies_.collect(tree_, node_, mesh_.dart_of(0, v), 0);
+    for (const Copy& c : copies_.of(node_)) found[v] |= found[mesh_.vertex(c.dart)];
+  }
 }
 
 // Walls, the sides of what stays, and in a surface the edges that are not plain.

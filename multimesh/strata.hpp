@@ -114,6 +114,7 @@ class Strata {
   bool parts_differ(Dart f, Dart beyond) const;
   Dart beyond(Dart f) const;
   bool may_be(Dart d, int k, Stratum stratum) const;
+  void share_with_copies(std::vector<std::uint8_t>& found) const;
   template <class Mark>
   void mark_facets(const Mark& mark) const;
   template <class Mark>

@@ -11,6 +11,7 @@
 #include "multimesh/embedding.hpp"
 #include "multimesh/geometry/orient3d.hpp"
 #include "multimesh/validate.hpp"
+#include "test/improve/random_operations.hpp"
 #include "test/periodic/tiles.hpp"
 
 namespace multimesh {
@@ -170,6 +171,63 @@ TEST(ImproveTile, KeepsTheHoleAsASetOfPoints) {
   (void)improve(embedding, domain.tile());
   EXPECT_GT(splits, 0U);
   EXPECT_NEAR(volume(), 1 - 1.0 / 125, 1e-12);
+}
+
+/// A cube whose copies are lattice vectors apart only up to rounding, with a block of region 2 at one side.
+PeriodicTile tile_with_block() {
+  PeriodicTile tile = test::cube_tile(4);
+  for (std::size_t t = 0; t < tile.facets.size(); ++t) {
+    const auto corners = tile.facets.facet(t);
+    tile.regions.push_back(std::ranges::all_of(corners,
+                                               [&](Index v) {
+                                                 const auto& p = tile.points[v];
+                                                 return p[0] < 0.6 && p[1] > 0.2 && p[2] > 0.2;
+                                               })
+                               ? 2
+                               : 1);
+  }
+  for (auto& p : tile.points) p = {0.1 + p[0] / 3 + p[1] / 7, p[1] / 1.7, p[2] / 0.9 - p[0] / 11};
+  return tile;
+}
+
+// Also where an interface lies in a side, or ends there.
+TEST(ImproveTile, InAStormKeepsRegionsAndOrientation) {
+  for (const TileSides sides : {TileSides::flat, TileSides::free}) {
+    PeriodicOptions options = test::along(true, true, true);
+    options.periods = {{{1. / 3, 0, -1. / 11}, {1. / 7, 1 / 1.7, 0}, {0, 0, 1 / 0.9}}};
+    PeriodicDomain domain(tile_with_block(), options);
+    ASSERT_TRUE(domain.add_interfaces());
+    const auto volumes = [&] {
+      std::array<double, 3> sum{};
+      const Mesh& mesh = domain.tree().mesh(domain.tile());
+      for (Index t = 0; t < mesh.capacity(3); ++t)
+        if (mesh.is_live(3, t))
+          sum[static_cast<std::size_t>(domain.region(t))] += signed_measure(domain, t, {});
+      return sum;
+    };
+    const auto before = volumes();
+    const Embedding embedding = domain.embedding(sides);
+    improvement::Workspace work(embedding, domain.tile(), {});
+    improvement::Counts counts{};
+    improvement::Refusals refusals(1);
+    improvement::Candidates candidates(work, counts, refusals);
+    std::mt19937 random(17);
+    std::array<std::size_t, improvement::n_kinds> done{};
+    for (int i = 0; i < 6000; ++i) {
+      const improvement::Candidate c = test::random_candidate(work, candidates, random);
+      if (!c) continue;
+      const bool has_copies = work.is_copied(work.mesh().vertex(c.dart));
+      if (test::do_it(work, c) != no_dart) done[static_cast<std::size_t>(c.kind)] += has_copies;
+      if (i % 1000 == 0) {
+        ASSERT_EQ(fault(domain), "");
+      }
+    }
+    EXPECT_EQ(fault(domain), "");
+    for (std::size_t k = 1; k < 3; ++k) EXPECT_NEAR(volumes()[k], before[k], 1e-12 * before[k]);
+    for (const improvement::Kind k :
+         {improvement::Kind::split, improvement::Kind::collapse, improvement::Kind::smoothing})
+      EXPECT_GT(done[static_cast<std::size_t>(k)], 10U);
+  }
 }
 
 TEST(ImproveTile, NeedsTetrahedra) {
