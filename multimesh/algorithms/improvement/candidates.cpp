@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "multimesh/faces.hpp"
 #include "multimesh/geometry/orient3d.hpp"
 
 namespace multimesh::improvement {
@@ -253,29 +254,45 @@ void Candidates::collapse(Dart e, const Demand& demand, Candidate& best) {
 // --- faces ---------------------------------------------------------------------------------------------
 
 void Candidates::face_swap(Dart f, const Demand& demand, Candidate& best) {
-  tried(Kind::face_swap);
-  const Mesh& mesh = work_.mesh();
   const Index t = work_.tet(f);
-  const Dart beyond = mesh.switch_dart(f, 3);
-  if (beyond == no_dart || work_.strata().is_wall(f) || work_.strata().facet_stays(t))
+  Corners c{};
+  work_.mesh().vertices(f, c.data());
+  if (!is_even(work_.mesh().order(work_.dart(t), f))) std::swap(c[0], c[1]);
+  double here = -1;
+  face_swap({f, t, c}, here, demand, best);
+}
+
+void Candidates::face_swaps(Index t, const Demand& demand, Candidate& best) {
+  const Corners of_tet = work_.corners(t);
+  const Dart d = work_.dart(t);
+  double here = -1;
+  for (const Permutation p : faces_around(3, 2, -1)) {
+    Corners c{};
+    for (std::size_t i = 0; i < 4; ++i) c[i] = of_tet[static_cast<std::size_t>(p[static_cast<int>(i)])];
+    if (!is_even(p)) std::swap(c[0], c[1]);
+    face_swap({work_.mesh().reorder(d, p), t, c}, here, demand, best);
+  }
+}
+
+void Candidates::face_swap(const Face& face, double& here, const Demand& demand, Candidate& best) {
+  tried(Kind::face_swap);
+  const Dart beyond = work_.mesh().switch_dart(face.dart, 3);
+  if (beyond == no_dart || work_.strata().is_wall(face.dart) || work_.strata().facet_stays(face.tet))
     return refuse(Kind::face_swap, Why::held);
-  Index c[4], other[4];
-  mesh.vertices(f, c);
-  mesh.vertices(beyond, other);
-  const Index w = c[3], v = other[3];
-  // (x,y,z,w) of positive orientation.
-  Index x = c[0], y = c[1];
-  const double here = work_.quality_of(t), there = work_.quality_of(work_.tet(beyond));
-  if (orient3d(point(x).data(), point(y).data(), point(c[2]).data(), point(w).data()) < 0) std::swap(x, y);
-  const double before = std::max(here, there);
+  Index other[4];
+  work_.mesh().vertices(beyond, other);
+  const auto [x, y, z, w] = face.corners;
+  const Index v = other[3];
+  if (here < 0) here = work_.quality_of(face.tet);
+  const double before = std::max(here, work_.quality_of(work_.tet(beyond)));
   const double limit = std::min(demand.limit(before), best.after);
   if (demand.is_too_long(point(v), point(w))) return refuse(Kind::face_swap, Why::length);
   double after = 0;
-  for (const auto& [p, q] : {std::pair{x, y}, {y, c[2]}, {c[2], x}}) {
+  for (const auto& [p, q] : {std::pair{x, y}, {y, z}, {z, x}}) {
     after = std::max(after, work_.quality_of(Corners{p, q, v, w}, limit));
     if (after >= limit) return refuse_worse(Kind::face_swap, after);
   }
-  best = {Kind::face_swap, f, before, after, Vec3{}, 0, false, false};
+  best = {Kind::face_swap, face.dart, before, after, Vec3{}, 0, false, false};
 }
 
 // --- vertices ------------------------------------------------------------------------------------------

@@ -66,6 +66,8 @@ class Candidates {
   void edge_swap(Dart e, const Demand& demand, Candidate& best);
   /// For the face of a dart.
   void face_swap(Dart f, const Demand& demand, Candidate& best);
+  /// For all faces of a tetrahedron.
+  void face_swaps(Index t, const Demand& demand, Candidate& best);
   /// For the edge of (a,b,..), moving a to b.
   void collapse(Dart e, const Demand& demand, Candidate& best);
   /// For the vertex of a dart.
@@ -74,6 +76,14 @@ class Candidates {
   void split(Dart e, const Demand& demand, Candidate& best);
 
  private:
+  /// A face of a tetrahedron: its corners, and the opposite one, of positive orientation.
+  struct Face {
+    Dart dart;
+    Index tet;
+    Corners corners;
+  };
+  /// \param here the quality of the tetrahedron, once it is known; negative before
+  void face_swap(const Face& face, double& here, const Demand& demand, Candidate& best);
   /// What is held around the edge of the ring.
   struct EdgeState {
     bool curve = false, locked = false;

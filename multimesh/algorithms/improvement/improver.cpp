@@ -161,7 +161,7 @@ bool Improver::swap_or_collapse(Index t, const Demand& demand) {
     for (const auto& [i, j] : edge_corners)
       if (!candidates_.is_edge_known(Kind::edge_swap, c[i], c[j], demand))
         candidates_.edge_swap(work_.edge(t, i, j), demand, best);
-    for (const Permutation p : faces_around(3, 2, -1)) candidates_.face_swap(work_.dart(t, p), demand, best);
+    candidates_.face_swaps(t, demand, best);
     for (int i = 0; i < 4; ++i) {
       if (is_kept(c[i]) || std::find(fresh_.begin(), fresh_.end(), c[i]) != fresh_.end()) continue;
       for (int j = 0; j < 4; ++j)

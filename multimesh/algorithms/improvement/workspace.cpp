@@ -119,13 +119,6 @@ std::size_t Workspace::count_tets() const {
   return n;
 }
 
-Corners Workspace::corners(Index t, std::size_t first) const {
-  Index v[4];
-  mesh_.facet_vertices(t, v);
-  const auto& p = from_corner[first];
-  return {v[p[0]], v[p[1]], v[p[2]], v[p[3]]};
-}
-
 Dart Workspace::edge(Index t, int i, int j) const {
   const int k = i != 0 && j != 0 ? 0 : i != 1 && j != 1 ? 1 : 2;
   return dart(t, permutation(i, j, k, 6 - i - j - k));

@@ -55,8 +55,12 @@ class Workspace {
   bool is_live(Index t) const { return mesh_.is_live(3, t); }
   /// Cost: linear
   std::size_t count_tets() const;
-  /// Of positive orientation, `first` being the first.
-  Corners corners(Index t, std::size_t first = 0) const;
+  /// Of positive orientation.
+  Corners corners(Index t) const {
+    Corners v{};
+    mesh_.facet_vertices(t, v.data());
+    return v;
+  }
   double quality_of(const Corners& c) const {
     return quality(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]);
   }
