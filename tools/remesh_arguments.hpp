@@ -17,7 +17,7 @@ struct RemeshArguments : TetrahedraArguments {
   double length = 0, relative_length = 0;  ///< 0: not given
   double feature_angle = 0;                ///< degrees; 0: not given
   bool preserve_materials = true, quiet = false, follow_paths = false;
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   io::SurfaceWeldOptions weld;
 };
 

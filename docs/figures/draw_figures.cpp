@@ -178,7 +178,7 @@ void remeshed(const TexturedTriangles& spot, const fs::path& directory) {
   const TexturedTriangles before = coarse(spot, 900);
   const TexturedSurface left(before);
   TexturedSurface right(before);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = 0.11;
   (void)remesh(right, options);
   Svg svg(640, 330, "Remeshing",

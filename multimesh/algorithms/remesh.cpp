@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "multimesh/algorithms/remeshing/remesher.hpp"
-#include "multimesh/algorithms/vertex_locks.hpp"
 
 namespace multimesh {
 
@@ -44,13 +43,6 @@ void check_faces(const Mesh& root, const Coordinates& positions, const RemeshOpt
   throw InputError(text.str());
 }
 
-/// Where the texture of any set is cut open or ends.
-CurveKinds texture_edges(const TexturedSurface& s) {
-  CurveKinds kinds = no_curve;
-  for (std::size_t k = 0; k < s.textures().size(); ++k) kinds |= seam_of(k) | texture_border_of(k);
-  return kinds;
-}
-
 }  // namespace
 
 double expected_faces(const Mesh& root, const Coordinates& positions, double length) {
@@ -76,10 +68,7 @@ RemeshResult remesh(const Embedding& embedding, NodeId node, const RemeshOptions
   return remeshing::Remesher(surface, options).run();
 }
 
-RemeshResult remesh(TexturedSurface& surface, const SurfaceRemeshOptions& options) {
-  check(options);
-  const VertexLocks locks(surface, options.lock_boundary,
-                          options.lock_seams ? texture_edges(surface) : CurveKinds{no_curve});
+RemeshResult remesh(TexturedSurface& surface, const RemeshOptions& options) {
   return remesh(surface.embedding(), NodeId::root, options);
 }
 

@@ -15,6 +15,9 @@ struct RemeshOptions {
   double length = 0;
   /// Rounds of split, collapse, swap and smoothing.
   int iterations = 10;
+  bool lock_boundary = false;  ///< boundary edges and their vertices stay as they are
+  /// The same for edges along which a chart is cut open or ends, positions and texture coordinates.
+  bool lock_seams = false;
   /// If more faces are expected, by expected_faces(), the mesh is refused before any change.
   std::size_t max_faces = 50'000'000;
   /// Called after each round with its number, from 1 on. May throw: the tree is valid then.
@@ -22,12 +25,6 @@ struct RemeshOptions {
   /// Called between rounds. Other code may then operate on the tree if its operations carry these attributes
   /// and leave the surface the same set of points.
   std::function<void(int round, std::span<Attribute* const> carried)> between_rounds;
-};
-
-/// For a TexturedSurface.
-struct SurfaceRemeshOptions : RemeshOptions {
-  bool lock_boundary = false;  ///< boundary edges and their vertices stay as they are
-  bool lock_seams = false;     ///< the same for seams, positions and texture coordinates
 };
 
 struct RemeshResult {
@@ -64,6 +61,6 @@ RemeshResult remesh(const Embedding& embedding, NodeId surface, const RemeshOpti
 
 /// The same for a textured surface with all its sets of texture coordinates, colours, curves, labels and hard
 /// edges.
-RemeshResult remesh(TexturedSurface& surface, const SurfaceRemeshOptions& options);
+RemeshResult remesh(TexturedSurface& surface, const RemeshOptions& options);
 
 }  // namespace multimesh

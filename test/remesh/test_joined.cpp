@@ -172,7 +172,7 @@ void expect_told_rightly(const TexturedTriangles& in) {
 
 void expect_same_joined(const TexturedTriangles& in, double length) {
   TexturedSurface surface(in);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = length;
   options.iterations = 4;
   (void)remesh(surface, options);
@@ -263,7 +263,7 @@ TEST_P(ManyCharts, StayOpenWhenTheResultIsReadAgain) {
       for (const double length : {0.1, 0.3}) {
         TexturedSurface surface(charts_that_touch(GetParam(), charts, open));
         const SurfaceReport before = report(surface);
-        SurfaceRemeshOptions options;
+        RemeshOptions options;
         options.length = length;
         options.iterations = 3;
         (void)remesh(surface, options);
@@ -299,7 +299,7 @@ TEST(ThinTexture, NoTriangleTurnsOver) {
         return Vec2(0.3 + p[0] / 37 - width * p[1] / 3, 0.1 + p[0] / 53 + width * p[1]);
       });
       TexturedSurface surface(in);
-      SurfaceRemeshOptions options;
+      RemeshOptions options;
       options.length = length;
       options.iterations = 3;
       (void)remesh(surface, options);

@@ -58,7 +58,7 @@ void expect_even(const TexturedTriangles& in, double relative, double angle) {
   TexturedSurfaceOptions curves;
   if (angle > 0) curves.feature_angle = angle * std::numbers::pi / 180;
   TexturedSurface surface(in, curves);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = relative * bounding_box_diagonal(in.positions);
   const RemeshResult r = remesh(surface, options);
   std::vector<Index> source;
@@ -119,7 +119,7 @@ TEST(LockedBoundary, MakesNoEndlessWork) {
     SCOPED_TRACE(segments);
     const TexturedTriangles in = drilled_plate(segments, 0, 0, 0.5, 0);
     TexturedSurface surface(in);
-    SurfaceRemeshOptions options;
+    RemeshOptions options;
     options.length = 0.02 * bounding_box_diagonal(in.positions);
     options.lock_boundary = true;
     const RemeshResult r = remesh(surface, options);
@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, LargeStars, testing::Values(16, 50, 256, 2000, 
 double time_per_operation(const TexturedTriangles& in) {
   const std::clock_t begin = std::clock();
   TexturedSurface surface(in, {.feature_angle = 40 * std::numbers::pi / 180});
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = 0.02 * bounding_box_diagonal(in.positions);
   const RemeshResult r = remesh(surface, options);
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;

@@ -37,7 +37,7 @@ struct Remeshed {
 Remeshed remeshed(const TexturedTriangles& input, double length, int iterations = 5,
                   const TexturedSurfaceOptions& curves = {}) {
   TexturedSurface surface(input, curves);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = length;
   options.iterations = iterations;
   Remeshed r;
@@ -122,7 +122,7 @@ TEST(RemeshSeams, AreNotFrozen) {
 
 TEST(RemeshSeams, StayAsTheyAreIfLocked) {
   TexturedSurface before(spot()), surface(spot());
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = 0.5 * mean_length(spot());
   options.iterations = 3;
   options.lock_seams = true;
@@ -177,7 +177,7 @@ TEST(Remesh, GivesTheSameTwice) {
 
 TEST(Remesh, CanBeStoppedByAnException) {
   TexturedSurface surface(spot());
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = mean_length(spot());
   struct Enough {};
   options.progress = [](int round) {
@@ -191,11 +191,11 @@ TEST(Remesh, RefusesWhatMakesNoSense) {
   TexturedSurface surface(two_charts().input);
   for (const double length :
        {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    SurfaceRemeshOptions options;
+    RemeshOptions options;
     options.length = length;
     EXPECT_THROW((void)remesh(surface, options), InputError) << length;
   }
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = 1;
   options.iterations = 0;
   EXPECT_THROW((void)remesh(surface, options), InputError);
@@ -208,7 +208,7 @@ TEST(Remesh, KeepsSeveralTexturesAndColors) {
   });
   for (const Vec3& p : in.positions) in.colors.emplace_back(0.01 * p[0], 0.01 * p[1], 0.5);
   TexturedSurface surface(in);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = 0.7 * mean_length(in);
   options.iterations = 3;
   const SurfaceReport before = report(surface);

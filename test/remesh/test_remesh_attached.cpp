@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/surface_report.hpp"
@@ -66,6 +67,36 @@ TYPED_TEST(RemeshAttached, RunsUnchangedAloneAndInATree) {
       if (children == none) continue;
       EXPECT_EQ(mirrored_triangles(mesh), 0U);
     }
+}
+
+// Both ends of each boundary edge, in order; bit by bit.
+template <class Mesh>
+std::vector<std::array<double, 6>> boundary_edges(const Mesh& mesh) {
+  std::vector<std::array<double, 6>> list;
+  for (const auto h : mesh.halfedges()) {
+    if (!h.is_boundary()) continue;
+    const auto p = mesh.point(h.from()), q = mesh.point(h.to());
+    list.push_back({double(p[0]), double(p[1]), double(p[2]), double(q[0]), double(q[1]), double(q[2])});
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+TYPED_TEST(RemeshAttached, KeepsALockedBoundaryEdgeByEdge) {
+  for (const bool locked : {true, false}) {
+    TypeParam mesh;
+    make_torus(mesh, 30, 20, 2, true);
+    const auto before = boundary_edges(mesh);
+    openmesh::Attached attached(mesh);
+    RemeshOptions options;
+    options.length = 0.15;
+    options.iterations = 3;
+    options.lock_boundary = locked;
+    (void)remesh(embedding(attached), NodeId::root, options);
+    attached.garbage_collection();
+    EXPECT_EQ(boundary_edges(mesh) == before, locked);
+    for (const auto v : mesh.vertices()) EXPECT_FALSE(mesh.status(v).locked());
+  }
 }
 
 }  // namespace

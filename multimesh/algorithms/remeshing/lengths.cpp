@@ -34,7 +34,7 @@ double Remesher::measure_on_line(double length, Dart from, Dart to) {
 /// The length of the other edge at a of the curve that contains (a, b, ..), if a may move along that curve.
 std::optional<double> Remesher::next_on_line(Dart edge) {
   std::array<Dart, 2> line{};
-  if (strata_.freedom(edge, line) != Freedom::line) return std::nullopt;
+  if (freedom(edge, line) != Freedom::line) return std::nullopt;
   return length(mesh_.same_simplex(line[0], edge, 1) ? line[1] : line[0]);
 }
 

@@ -41,11 +41,11 @@ void Remesher::smooth(Dart vertex) {
 
 bool Remesher::move_to_centre(Dart vertex) {
   std::array<Dart, 2> line{};
-  const Freedom freedom = strata_.freedom(vertex, line);
-  if (freedom == Freedom::none) return false;
+  const Freedom free = freedom(vertex, line);
+  if (free == Freedom::none) return false;
   const Vec3 here = at(vertex);
   Vec3 step, normal(0, 0, 0);
-  if (freedom == Freedom::line) {
+  if (free == Freedom::line) {
     step = (at(mesh_.reorder(line[0], exchange_ends)) + at(mesh_.reorder(line[1], exchange_ends))) / 2 - here;
   } else {
     step = centre(vertex, normal) - here;
@@ -54,7 +54,7 @@ bool Remesher::move_to_centre(Dart vertex) {
   const Index v = mesh_.vertex(vertex);
   if (placed_[v] && step.norm() < smallest_move_) return false;
   for (const double share : {1.0, 0.5, 0.25, 0.0})  // the last one: at least onto the input
-    if (const auto to = place(vertex, freedom, line, {here + step * share, share * step.norm()}, normal);
+    if (const auto to = place(vertex, free, line, {here + step * share, share * step.norm()}, normal);
         to && move(vertex, *to)) {
       ++result_.moves;
       placed_[v] = true;

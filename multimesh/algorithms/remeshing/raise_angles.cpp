@@ -153,7 +153,7 @@ bool Remesher::swap_to_raise_angles(Dart edge) {
 }
 
 bool Remesher::collapse_to_raise_angles(Dart edge) {
-  if (length(edge) >= shortest_share * options_.length || strata_.is_frozen(edge)) return false;
+  if (length(edge) >= shortest_share * options_.length || is_frozen(edge)) return false;
   for (const Dart d : {edge, mesh_.reorder(edge, exchange_ends)}) {
     if (!may_be_removed(d)) continue;
     mesh_.star(d, 0, star_);
@@ -179,20 +179,20 @@ std::vector<Vec3> Remesher::near_places(Dart vertex, Freedom freedom, const std:
 // Tries the places with the least lack first: projects them onto the input, with everything below.
 bool Remesher::move_to_raise_angles(Dart vertex) {
   std::array<Dart, 2> line{};
-  const Freedom freedom = strata_.freedom(vertex, line);
+  const Freedom free = freedom(vertex, line);
   Vec3 normal;
   (void)centre(vertex, normal);
-  if (freedom == Freedom::none || !(normal.squared_norm() > 0)) return false;
+  if (free == Freedom::none || !(normal.squared_norm() > 0)) return false;
   const Around around(mesh_, positions_, star_, options_.length);
   const Vec3 here = at(vertex);
   const Lack now = around.lack(here);
   std::vector<std::pair<double, Vec3>> better;
-  for (const Vec3& p : near_places(vertex, freedom, line, normal))
+  for (const Vec3& p : near_places(vertex, free, line, normal))
     if (const Lack then = around.lack(p); then.is_less_than(now)) better.emplace_back(then.angles, p);
   std::sort(better.begin(), better.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   if (better.size() > most_tries) better.resize(most_tries);
   for (const auto& [angles, p] : better) {
-    const auto to = place(vertex, freedom, line, {p, (p - here).norm()}, normal);
+    const auto to = place(vertex, free, line, {p, (p - here).norm()}, normal);
     if (!to || !around.lack(to->position).is_less_than(now) || !move(vertex, *to)) continue;
     ++result_.moves;
     return true;

@@ -51,8 +51,35 @@ Remesher::Remesher(EmbeddedMesh& surface, const RemeshOptions& options)
       shape_(mesh_, positions_) {
   operations_.add(patch_column_).add(line_column_);
   strata_.trust(line_);
+  lock_lines();
   all_has_changed();
   for (const Coordinates* c : below_) sides_below_.emplace_back(tree_.mesh(c->node()), *c);
+}
+
+void Remesher::lock_lines() {
+  if (!options_.lock_boundary && !options_.lock_seams) return;
+  locked_lines_.assign(std::size_t{*std::ranges::max_element(line_)} + 1, false);
+  for (Index e = 0; e < mesh_.capacity(1); ++e) {
+    if (!mesh_.is_live(1, e) || line_[e] == 0) continue;
+    const Dart d = mesh_.dart_of(1, e);
+    if (options_.lock_boundary && mesh_.is_boundary(d, 1)) locked_lines_[line_[e]] = true;
+    if (options_.lock_seams && is_side_of_chart(d)) locked_lines_[line_[e]] = true;
+  }
+}
+
+// Whether a chart is cut open along the edge, or ends there inside the surface.
+bool Remesher::is_side_of_chart(Dart edge) {
+  if (mesh_.is_boundary(edge, 1)) return false;
+  copies_.collect(tree_, node_, edge, 1);
+  return std::ranges::any_of(below_, [&](const Coordinates* chart) {
+    const std::span<const Copy> here = copies_.of(chart->node());
+    return here.size() > 1 || (here.size() == 1 && tree_.mesh(chart->node()).is_boundary(here[0].dart, 1));
+  });
+}
+
+Freedom Remesher::freedom(Dart vertex, std::array<Dart, 2>& line) const {
+  const Freedom free = strata_.freedom(vertex, line);
+  return free == Freedom::line && is_locked_line(line[0]) ? Freedom::none : free;
 }
 
 RemeshResult Remesher::run() {
@@ -138,7 +165,7 @@ bool Remesher::flattens_beside_whole(Dart edge) {
 }
 
 Outcome Remesher::halve(Dart edge) {
-  if (!(measure(edge) > longest_) || strata_.is_frozen(edge) || flattens_beside_whole(edge)) return refuse();
+  if (!(measure(edge) > longest_) || is_frozen(edge) || flattens_beside_whole(edge)) return refuse();
   const double half = length(edge) / 2;  // the ends are on the input
   copies_.collect(tree_, node_, edge, 1);
   read_stars(copies_, 1, changing_);
@@ -154,10 +181,10 @@ Outcome Remesher::halve(Dart edge) {
   read_stars(copies_, 0, changing_);
   guard_.hand_on(changing_);
   std::array<Dart, 2> line{};
-  const Freedom freedom = strata_.freedom(v, line);
+  const Freedom free = freedom(v, line);
   Vec3 normal;
   (void)centre(v, normal);
-  if (const auto to = place(v, freedom, line, {at(v), half}, normal)) move(v, *to);
+  if (const auto to = place(v, free, line, {at(v), half}, normal)) move(v, *to);
   return o;
 }
 
@@ -199,8 +226,9 @@ void Remesher::collapse_short_edges() {
 
 // For (a, b, ..): whether a is free on the surface, or on a curve that contains the edge.
 bool Remesher::may_be_removed(Dart edge) {
-  const Freedom freedom = strata_.freedom(edge);
-  return freedom == Freedom::surface || (freedom == Freedom::line && !strata_.is_plain(edge));
+  std::array<Dart, 2> line{};
+  const Freedom free = freedom(edge, line);
+  return free == Freedom::surface || (free == Freedom::line && !strata_.is_plain(edge));
 }
 
 void Remesher::read_stars(const Copies& copies, int k, DartBuffer& triangles) {
@@ -275,7 +303,7 @@ Outcome Remesher::guarded(const std::function<Outcome()>& operation) {
 }
 
 Outcome Remesher::collapse(Dart edge) {
-  if (measure(edge) >= shortest_ || strata_.is_frozen(edge)) return refuse();
+  if (measure(edge) >= shortest_ || is_frozen(edge)) return refuse();
   std::array<std::pair<double, Dart>, 2> ways{};
   std::size_t n = 0;
   for (const Dart d : {edge, mesh_.reorder(edge, exchange_ends)})

@@ -36,6 +36,15 @@ class Remesher {
 
  private:
   void let_others_work(int round);
+  void lock_lines();
+  bool is_side_of_chart(Dart edge);
+  bool is_locked_line(Dart edge) const {
+    return !locked_lines_.empty() && locked_lines_[line_[mesh_.simplex(edge, 1)]];
+  }
+  /// Whether the edge may neither be split nor collapsed.
+  bool is_frozen(Dart edge) const { return is_locked_line(edge) || strata_.is_frozen(edge); }
+  /// That of the strata, but for locked lines.
+  Freedom freedom(Dart vertex, std::array<Dart, 2>& line) const;
   void refine();
   PriorityScheduler::Stop split_long_edges();
   bool flattens_beside_whole(Dart edge);
@@ -113,6 +122,7 @@ class Remesher {
   const RemeshOptions& options_;
   std::vector<Index> patch_, line_;  // of faces and edges, see Reference
   Column<Index> patch_column_, line_column_;
+  std::vector<bool> locked_lines_;  // by number; empty: none
   double shortest_, longest_, smallest_move_;
   std::vector<bool> placed_;  // per vertex: on the input
   StarStamps stars_;

@@ -6,7 +6,7 @@ bool works() {
   one.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   one.triangles.push_back({{{0, -1}, {1, -1}, {2, -1}}});
   multimesh::TexturedSurface surface(one);
-  multimesh::SurfaceRemeshOptions options;
+  multimesh::RemeshOptions options;
   options.length = 0.3;
   return multimesh::remesh(surface, options).splits > 0;
 }

@@ -28,7 +28,7 @@ int main() try {
   std::printf("multimesh %s: %zu faces -> %zu of %zu in OpenMesh's arrays\n", version, result.faces_before,
               result.faces_after, root.openmesh().n_faces());
   TexturedSurface even(input);
-  SurfaceRemeshOptions options;
+  RemeshOptions options;
   options.length = 0.2;
   const RemeshResult remeshed = remesh(even, options);
   const SurfaceComparison comparison = compare_surfaces(input, input, {.samples = 100});
