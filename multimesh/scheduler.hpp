@@ -168,7 +168,8 @@ class PriorityScheduler {
   void update_around(Dart changed, const Outcome& outcome, Policy& policy) {
     const int d = mesh_.dimension();
     mesh_.star(changed, outcome.changed_dimension, star_);
-    stamp_star();
+    // Before the first refusal, nobody compares stamps.
+    if (!refused_.empty() || &stars_ != &own_stars_) stamp_star();
     if (outcome.operation != Operation::collapse || d > 2) return update_all(policy);
     const bool boundary = d == 2 && mesh_.is_boundary(changed, 0);
     for (const Dart t : star_) {
@@ -197,7 +198,9 @@ class PriorityScheduler {
     Index v[4];
     for (const Dart t : star_) {
       mesh_.vertices(t, v);
-      corners_.insert(corners_.end(), v, v + mesh_.dimension() + 1);
+      for (int i = 0; i <= mesh_.dimension(); ++i)
+        if (corners_.empty() || (v[i] != corners_.front() && v[i] != corners_.back()))
+          corners_.push_back(v[i]);
     }
     stars_.change(corners_);
   }
