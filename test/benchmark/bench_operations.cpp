@@ -32,7 +32,7 @@ bool swap(SurfaceTree& t, Dart e) {
 }
 bool relocate(SurfaceTree& t, Dart v) {
   const Index i = t.root().vertex(v);
-  const Vec3 moved = t.positions()[i] + Vec3(1e-6, 0, 0);
+  const OpenMesh::Vec3d moved = t.positions()[i] + OpenMesh::Vec3d(1e-6, 0, 0);
   return bool(
       t.operations().relocate(NodeId::root, v, [&](const Event&) { t.position_attribute().set(i, moved); }));
 }

@@ -4,14 +4,14 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModEdgeLengthT.hh>
 
-#include "multimesh/work_queue.hpp"
 #include "multimesh/scheduler.hpp"
+#include "multimesh/work_queue.hpp"
 
 namespace multimesh::bench {
 
 namespace {
 
-double checksum(const std::vector<Vec3>& points, const auto& is_live) {
+double checksum(const std::vector<OpenMesh::Vec3d>& points, const auto& is_live) {
   double sum = 0;
   for (std::size_t v = 0; v < points.size(); ++v)
     if (is_live(v)) sum += points[v][0] + 2 * points[v][1] + 3 * points[v][2];
@@ -30,7 +30,7 @@ Decimation decimate_bare(SurfaceMesh& mesh, std::size_t faces) {
   Decimation done{0, mesh.n_faces(), 0};
   const auto cost = [&](OpenMesh::EdgeHandle e) {
     const auto h = mesh.halfedge_handle(e, 0);
-    return (mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h))).squared_norm();
+    return (mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h))).sqrnorm();
   };
   WorkQueue queue;
   queue.reserve(mesh.n_edges());
@@ -43,7 +43,7 @@ Decimation decimate_bare(SurfaceMesh& mesh, std::size_t faces) {
     const auto h = mesh.halfedge_handle(e, 0);
     if (!mesh.is_collapse_ok(h)) continue;
     const auto v = mesh.to_vertex_handle(h);
-    const Vec3 middle = (mesh.point(mesh.from_vertex_handle(h)) + mesh.point(v)) * 0.5;
+    const OpenMesh::Vec3d middle = (mesh.point(mesh.from_vertex_handle(h)) + mesh.point(v)) * 0.5;
     done.faces -= mesh.is_boundary(e) ? 1 : 2;
     mesh.collapse(h);
     mesh.point(v) = middle;
@@ -65,7 +65,7 @@ class ShortestEdge {
 
   std::optional<double> cost(Dart e) const {
     const Index a = root_.vertex(e), b = root_.vertex(root_.reorder(e, exchange_ends));
-    return (points_[b] - points_[a]).squared_norm();
+    return (points_[b] - points_[a]).sqrnorm();
   }
   Outcome apply(Dart e, double) {
     const std::size_t removed = root_.is_boundary(e, 1) ? 1 : 2;
@@ -78,7 +78,7 @@ class ShortestEdge {
  private:
   SurfaceTree& tree_;
   const Mesh& root_;
-  const std::vector<Vec3>& points_;
+  const std::vector<OpenMesh::Vec3d>& points_;
   std::size_t faces_;
   Decimation& done_;
 };

@@ -13,7 +13,7 @@ SurfaceMesh surface_mesh(const test::Shape& shape) {
   SurfaceMesh mesh;
   const std::size_t v = shape.points.size(), f = shape.facets.size();
   mesh.reserve(v, v + f, f);
-  for (const auto& p : shape.points) mesh.add_vertex(Vec3(p[0], p[1], p[2]));
+  for (const auto& p : shape.points) mesh.add_vertex(OpenMesh::Vec3d(p[0], p[1], p[2]));
   for (std::size_t i = 0; i < f; ++i) {
     const auto corner = [&](std::size_t k) {
       return OpenMesh::VertexHandle(static_cast<int>(shape.facets.facet(i)[k]));
@@ -42,12 +42,12 @@ void SurfaceTree::add_texture(const ChartedShape& charted) {
       add_child_by_facets(*tree_, NodeId::root, charts.facets, charts.over, facets, openmesh::make_mesh);
 
   auto& connectivity = dynamic_cast<openmesh::Connectivity&>(tree_->mesh(id)).openmesh();
-  OpenMesh::VPropHandleT<Vec2> property;
+  OpenMesh::VPropHandleT<OpenMesh::Vec2d> property;
   connectivity.add_property(property, "texcoords");
   auto& values = connectivity.property(property).data_vector();
   for (std::size_t i = 0; i < charts.facets.corners.size(); ++i) {
-    const Vec3& p = positions()[charts.over.corners[i]];
-    values[charts.facets.corners[i]] = Vec2(p[0], p[1]);
+    const OpenMesh::Vec3d& p = positions()[charts.over.corners[i]];
+    values[charts.facets.corners[i]] = OpenMesh::Vec2d(p[0], p[1]);
   }
   texcoords_.emplace(id, values);
   operations_->add(*texcoords_);

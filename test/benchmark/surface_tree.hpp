@@ -11,8 +11,8 @@ namespace multimesh::bench {
 
 /// The mesh of an OpenMesh user.
 struct MeshTraits : OpenMesh::DefaultTraits {
-  using Point = Vec3;
-  using Normal = Vec3;
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
   VertexAttributes(OpenMesh::Attributes::Status);
   EdgeAttributes(OpenMesh::Attributes::Status);
   FaceAttributes(OpenMesh::Attributes::Status);
@@ -31,8 +31,8 @@ class SurfaceTree {
 
   const Mesh& root() const { return tree_->mesh(NodeId::root); }
   const MultiMesh& tree() const { return *tree_; }
-  const std::vector<Vec3>& positions() const { return positions_->values(); }
-  VertexAttribute<Vec3>& position_attribute() { return *positions_; }
+  const std::vector<OpenMesh::Vec3d>& positions() const { return positions_->values(); }
+  VertexAttribute<OpenMesh::Vec3d>& position_attribute() { return *positions_; }
   Propagation& operations() { return *operations_; }
 
   /// Memory of the containment maps: anchors of all children and links of their parents.
@@ -44,8 +44,8 @@ class SurfaceTree {
 
   SurfaceMesh mesh_;
   std::optional<MultiMesh> tree_;
-  std::optional<VertexAttribute<Vec3>> positions_;
-  std::optional<VertexAttribute<Vec2>> texcoords_;
+  std::optional<VertexAttribute<OpenMesh::Vec3d>> positions_;
+  std::optional<VertexAttribute<OpenMesh::Vec2d>> texcoords_;
   std::optional<Propagation> operations_;
 };
 
