@@ -21,6 +21,7 @@
 #include "tools/mesh_page.hpp"
 #include "tools/number_check.hpp"
 #include "tools/output_check.hpp"
+#include "tools/periodic_arguments.hpp"
 #include "tools/quality_json.hpp"
 #include "tools/warnings.hpp"
 #endif
@@ -39,10 +40,18 @@ struct ImproveArguments {
   DomainImproveOptions options;
   files::DomainReadOptions taken;
   SimplexFormat format;
+  PeriodicArguments periodic;
   bool progress = false;
+
+  void set_splits();
 };
 
 constexpr const char* split_names[] = {"none", "exact", "rounded"};
+void ImproveArguments::set_splits() {
+  for (int i = 0; i < 3; ++i)
+    if (splits == split_names[i]) options.surface_splits = static_cast<SurfaceSplits>(i);
+}
+
 constexpr const char* stop_names[] = {"nothing_left", "max_passes", "max_growth", "time_limit"};
 
 Json to_json(const ImproveArguments& a, const ImproveResult& r) {
@@ -166,15 +175,45 @@ void show_progress(ImproveArguments& a) {
   };
 }
 
+/// The surface of the material, the interfaces and what else is listed.
+std::vector<Confinement> in_envelope(const PeriodicDomain& domain, double distance) {
+  std::vector<Confinement> confined{{domain.tile(), Confined::envelope, distance}};
+  if (const auto faces = domain.listed(2)) confined.push_back({*faces, Confined::envelope, distance});
+  return confined;
+}
+
+void run_on_tile(const ImproveArguments& a, RunReport& report) {
+  check_tile_outputs(a.input, a.output, a.periodic);
+  auto [file, domain] = read_periodic(a.input, a.periodic);
+  if (domain.tree().mesh(domain.tile()).dimension() != 3)
+    throw InputError(a.input + ": has no tetrahedron; remesh --periodic is for tiles of triangles");
+  const TileSides sides = requested_sides(a.periodic).value_or(TileSides::flat);
+  ImproveOptions options = a.options;
+  const double envelope = a.relative_envelope > 0 ? a.relative_envelope * domain.diagonal() : a.options.envelope;
+  if (envelope > 0) options.confined = in_envelope(domain, envelope);
+  const TileTopology before = topology_of(domain);
+  const Json tile_before = tools::to_json(domain);
+  const ImproveResult r = io::naming(
+      a.input, [&] { return improve(domain.embedding(sides), domain.tile(), options); });
+  const double sizes = envelope > 0 ? options.keep_volume : 1e-9;
+  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), sizes, a.periodic), file.warnings);
+  for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
+  report.json() = to_json(a, r);
+  report.json()["periodic"] = {
+      {"sides", name_of(sides)}, {"before", tile_before}, {"after", tools::to_json(domain)}};
+  if (!report.is_printed()) print(a, r);
+  report.finish(file.warnings);
+}
+
 void run(ImproveArguments a, RunReport& report) {
   show_progress(a);
+  a.set_splits();
+  if (a.periodic.is_given()) return run_on_tile(a, report);
   check_output_path(a.output, {a.input});
   files::DomainFile file = files::read_domain(a.input, a.taken);
   a.options.locked_regions = files::tags_of_groups(file, 3, a.options.locked_regions, "--lock-region");
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;
-  for (int i = 0; i < 3; ++i)
-    if (a.splits == split_names[i]) a.options.surface_splits = static_cast<SurfaceSplits>(i);
   a.options.locked_patches = files::tags_of_patches(file, a.locked_patches, "--lock-patch");
   TetDomain domain = files::take_domain(file, options);
   if (a.relative_envelope > 0)
@@ -264,8 +303,14 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   add_format_options(*command, a->format);
   add_report_options(*command, a->report, "with the surfaces in 3D, before and after, and the numbers");
   add_old_json_file(*command, a->report);
+  auto* periodic = add_periodic_tile_options(*command, a->periodic);
+  add_tile_output_options(*command, a->periodic);
+  for (const char* other : {"--lock-region", "--lock-patch", "--lock-surface", "--feature-angle", "--weld",
+                            "--no-weld", "--no-periodic", "--report-html"})
+    periodic->excludes(command->get_option(other));
   command->footer(
-      "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --report report.json\n\n"
+      "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --report report.json\n"
+      "          multimesh improve rve.msh -o out.msh --periodic xyz --pair-table pairs.csv\n\n"
       "The boundary, faces between regions and listed triangles and edges stay what they are; with\n"
       "--envelope they move within it, but for curves, and for places where they are no surface. If the\n"
       "target cannot be reached, the result is still written, warnings say why, and the exit status\n"

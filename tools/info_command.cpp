@@ -11,6 +11,7 @@
 #include "tools/command.hpp"
 #include "tools/domain_json.hpp"
 #include "tools/mesh_page.hpp"
+#include "tools/periodic_arguments.hpp"
 #include "tools/surface_json.hpp"
 #include "tools/weld_arguments.hpp"
 
@@ -21,6 +22,7 @@ namespace {
 struct InfoArguments {
   std::string input;
   io::SurfaceWeldOptions weld;
+  PeriodicArguments periodic;
   ReportOptions report;
 };
 
@@ -186,7 +188,36 @@ void run_on_tetrahedra(const InfoArguments& a, files::DomainFile file, RunReport
   finish(file.warnings, print_domain_file, report);
 }
 
+void print_tile(const Json& j) {
+  const Json &p = j["periodic"], &glued = p["glued"];
+  std::cout << j["file"].get<std::string>() << "\n  periodic along " << p["periods"].dump() << "\n  glued:  "
+            << glued["vertices"] << " vertices, " << glued["edges"] << " edges, " << glued["triangles"]
+            << " triangles, " << glued["tetrahedra"] << " tetrahedra, Euler characteristic "
+            << glued["euler_characteristic"] << "; a proper complex\n  sides:  ";
+  for (const Json& side : p["sides"])
+    std::cout << (&side == &p["sides"].front() ? "" : ", ") << side["faces"] << " faces along "
+              << side["vector"].get<std::string>();
+  std::cout << (p["flat_sides"].get<bool>() ? "; flat" : "; not flat") << "\n  copies: "
+            << p["copies"].dump() << " (vertices by number of copies), mismatch " << p["mismatch"]
+            << "\n  inverted: " << p["inverted"] << '\n';
+}
+
+/// That it can be glued is all that a tile needs: else this throws.
+void run_on_tile(const InfoArguments& a, RunReport& report) {
+  const auto [file, domain] = read_periodic(a.input, a.periodic);
+  const TileTopology t = topology_of(domain);
+  Json& j = report.json();
+  j = {{"file", a.input}, {"periodic", to_json(domain)}};
+  Json& p = j["periodic"];
+  p["mismatch"] = domain.report().largest_shift;
+  p["surface"] = {{"euler_characteristic", t.surface_euler}, {"components", t.surface.components}};
+  p["interfaces"] = {{"euler_characteristic", t.interface_euler}, {"components", t.interface.components}};
+  for (const auto& [region, size] : t.sizes) p["regions"][std::to_string(region)] = size;
+  finish(file.warnings, print_tile, report);
+}
+
 void run(const InfoArguments& a, RunReport& report) {
+  if (a.periodic.is_given()) return run_on_tile(a, report);
   if (files::is_surface_format(a.input))
     return run_on_polygons(a, files::read_polygons(a.input, true), report);
   files::DomainFile file = files::read_simplices(a.input);
@@ -203,13 +234,17 @@ void add_info_command(CLI::App& app, int& exit_code) {
   add_weld_options(*command, arguments->weld);
   add_report_options(*command, arguments->report, "with the mesh in 3D and the numbers");
   add_old_json_flag(*command, arguments->report);
+  auto* periodic = add_periodic_tile_options(*command, arguments->periodic);
+  for (const char* other : {"--weld", "--report-html"}) periodic->excludes(command->get_option(other));
   command->footer(
       "A textured file is two meshes: the surface, by positions, and the texture, by texture\n"
       "coordinates. They have the same triangles and different vertices; the texture is cut open at\n"
       "the seams. A file of tetrahedra is three: the tetrahedra; the surface (their boundary, the\n"
       "interfaces between regions, and the listed triangles); and the curves (where sheets of the\n"
       "surface meet, and the listed edges). Input that is not manifold is cut, and the numbers of the\n"
-      "meshes are those after the cut; the numbers of the surface as given come before them.");
+      "meshes are those after the cut; the numbers of the surface as given come before them.\n\n"
+      "With --periodic, the exit status is 1 if the sides of the tile do not match; the message names\n"
+      "the point without a partner.");
   command->callback([arguments, command, &exit_code] {
     RunReport report(*command, arguments->report, {arguments->input});
     run(*arguments, report);

@@ -7,8 +7,10 @@
 
 #include "multimesh/algorithms/surface_topology.hpp"
 #include "multimesh/algorithms/tet_topology.hpp"
+#include "multimesh/algorithms/tile_topology.hpp"
 #include "multimesh/files/domain_file.hpp"
 #include "multimesh/files/surface_file.hpp"
+#include "multimesh/files/tile_file.hpp"
 
 namespace multimesh::tools {
 
@@ -33,5 +35,11 @@ std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output,
 std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output,
                                             const SurfaceTopology& before, const TexturedSurface& surface,
                                             const files::SurfaceFile& file);
+
+/// Writes a tile, if its topology is that of the input. `sizes`: by how much of itself the size of a region may
+/// have changed. \return as files::write_tile()
+std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output, const TileTopology& before,
+                                            const PeriodicDomain& domain, const files::DomainGroups& groups,
+                                            const io::SimplexWriteOptions& options, double sizes);
 
 }  // namespace multimesh::tools

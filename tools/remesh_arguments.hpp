@@ -6,6 +6,7 @@
 
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/io/weld_surface.hpp"
+#include "tools/periodic_arguments.hpp"
 #include "tools/run_report.hpp"
 #include "tools/tetrahedra_arguments.hpp"
 
@@ -19,6 +20,7 @@ struct RemeshArguments : TetrahedraArguments {
   bool preserve_materials = true, quiet = false, follow_paths = false;
   RemeshOptions options;
   io::SurfaceWeldOptions weld;
+  PeriodicArguments periodic;
 };
 
 Json to_json(const RemeshArguments& a, const RemeshResult& r);

@@ -21,6 +21,7 @@
 #include "tools/output_check.hpp"
 #include "tools/remesh_arguments.hpp"
 #include "tools/remesh_tetrahedra.hpp"
+#include "tools/remesh_tile.hpp"
 #include "tools/surface_json.hpp"
 #include "tools/surface_paths.hpp"
 #include "tools/warnings.hpp"
@@ -49,7 +50,8 @@ void add_options(CLI::App& command, RemeshArguments& a) {
       ->capture_default_str();
   command
       .add_option("--feature-angle", a.feature_angle,
-                  "edges at which the surface bends by this or more, in degrees, are kept as curves")
+                  "edges at which the surface bends by this or more, in degrees, are kept as curves; in a tile, "
+                  "points where interfaces and the boundary bend by this (default there: 20)")
       ->check(number([](double d) { return d > 0 && d <= 180; }, "in (0, 180], for instance 40", "DEGREES"));
   command.add_flag("--lock-seams", a.options.lock_seams, "keep texture seams as they are, edge by edge");
   command.add_flag("--lock-boundary", a.options.lock_boundary, "keep the boundary as it is, edge by edge");
@@ -62,6 +64,14 @@ void add_options(CLI::App& command, RemeshArguments& a) {
 #ifdef MULTIMESH_WITH_IMPROVE
   add_tetrahedra_options(command, a);
 #endif
+  auto* periodic = add_periodic_tile_options(command, a.periodic);
+  add_tile_output_options(command, a.periodic);
+  for (const char* other : {"--lock-seams", "--lock-boundary", "--weld", "--report-html",
+#ifdef MULTIMESH_WITH_IMPROVE
+                            "--target-amips", "--lock-patch", "--lock-region", "--no-periodic",
+#endif
+                            "--preserve-materials"})
+    periodic->excludes(command.get_option(other));
 }
 
 void check_paths(const RemeshArguments& a) {
@@ -137,6 +147,7 @@ void show(const RemeshArguments& a, const TexturedSurface& surface, RunReport& r
 }
 
 void run(RemeshArguments& a, RunReport& report) {
+  if (a.periodic.is_given()) return remesh_tile(a, report);
 #ifdef MULTIMESH_WITH_IMPROVE
   if (remesh_if_tetrahedra(a, report)) return;
 #endif
@@ -180,7 +191,8 @@ void add_remesh_command(CLI::App& app, int& exit_code) {
   add_options(*command, *a);
   command->footer(
       "Example:  multimesh remesh cow.obj -o even.obj --relative-length 0.01\n"
-      "          multimesh remesh part.stl -o even.obj --length 2.5 --feature-angle 40\n\n"
+      "          multimesh remesh part.stl -o even.obj --length 2.5 --feature-angle 40\n"
+      "          multimesh remesh rve.msh -o even.msh --length 0.05 --periodic xy\n\n"
       "Kept: the topology of the surface and of every chart, the graph of the seams and of the\n"
       "curves, materials and groups of each face. Seams are not frozen: their edges get the same\n"
       "length. Vertices stay on the input, with its texture coordinates there. No triangle of the\n"

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,10 +26,30 @@ struct PeriodicTile {
   std::vector<std::array<double, 3>> points;
   FacetList facets;               ///< dimension 2 or 3, into points
   std::vector<Region> regions{};  ///< per facet, or empty: all 0
+
+  /// Faces, edges and points of the facets that are to be kept, with their tags.
+  struct Listed {
+    FacetList simplices;
+    std::vector<Region> tags;  ///< one each
+  };
+  std::array<Listed, 3> listed{{{{0, 0, {}}, {}}, {{1, 0, {}}, {}}, {{2, 0, {}}, {}}}};  ///< by dimension
+};
+
+/// What a tile lists of one simplex of the root: the tags of its copies. A copy is named by the lattice vector
+/// that leads to it from the copy with the least one.
+struct PeriodicLabel {
+  struct Copy {
+    LatticeVector at;
+    PeriodicTile::Region tag;
+    friend auto operator<=>(const Copy&, const Copy&) = default;
+  };
+  std::vector<Copy> copies;
+  friend auto operator<=>(const PeriodicLabel&, const PeriodicLabel&) = default;
 };
 
 struct PeriodicOptions {
-  /// The axes among x, y, z along which the tile is periodic.
+  /// The axes among x, y, z along which the tile is periodic. Those along which it has no extent are dropped,
+  /// unless periods are given.
   std::array<bool, 3> axes{true, true, true};
   /// The period vectors, one per axis; only those of periodic axes are read. They need not be parallel to the
   /// axes. Default: the extents of the bounding box.
@@ -40,6 +61,11 @@ struct PeriodicOptions {
   double tolerance = 1e-6;
   /// If the quotient is not a simplicial complex, split edges of the tile until it is, instead of refusing.
   bool refine = false;
+  /// Keep the faces between facets of different regions. Regions then keep their shape.
+  bool interfaces = false;
+  /// In tiles of triangles, vertices where an interface or the boundary bends by at least this, in radians,
+  /// keep their places. Only with `interfaces`.
+  double corner_angle = std::numeric_limits<double>::infinity();
 };
 
 /// The options for a tile whose file says what is glued: pairs of vertices that are one, and the translations
@@ -54,6 +80,12 @@ PeriodicOptions options_of_pairs(std::vector<std::array<Index, 2>> pairs,
 struct PeriodicSide {
   LatticeVector shift{};    ///< from master to slave
   FacetList master, slave;  ///< of vertices of tile_lists()
+};
+
+/// A vertex of tile_lists() and the one of its copies with the lowest number.
+struct PeriodicCopy {
+  Index slave, master;
+  LatticeVector shift;  ///< from master to slave
 };
 
 /// The elements of the input from which those of tile_lists() come.
@@ -75,6 +107,8 @@ struct PeriodicReport {
   std::size_t cut_root_vertices = 0;  ///< the same for the root; copies of one vertex are locked
   std::size_t reversed_facets = 0;    ///< reversed to agree with the others
   std::size_t inverted_facets = 0;    ///< with negative or no volume, after that
+  std::array<bool, 3> dropped_axes{};  ///< without extent
+  std::size_t missing_listed = 0;      ///< listed simplices that are not in the tile
 };
 
 /// What algorithms may do to the sides of a tile.
@@ -86,11 +120,13 @@ enum class TileSides : std::uint8_t {
 
 /// A periodic cell as a multimesh:
 ///
-///       root         the tile with its opposite sides glued (a torus, a cylinder, ...); no positions
-///         |
-///       tile         as it came in; a position per vertex, copies of a root vertex lie lattice vectors apart
-///       /   \        .
-///  surface  cuts     if asked for: the boundary of the material, and the sides that are glued
+///           root           the tile with its opposite sides glued (a torus, a cylinder, ...); no positions
+///          /    \         .
+///       tile   listed      faces, edges and points that the tile lists, and interfaces between regions: children
+///       /   \             of the root, because they may lie in the sides
+///  surface  cuts           if asked for: the boundary of the material, and the sides that are glued
+///
+/// The tile is as it came in; copies of a root vertex lie lattice vectors apart.
 ///
 /// An operation on any of the meshes is applied to all copies. Values that attributes interpolate on the tile
 /// stay periodic, because each copy of an edge is the same edge, shifted. Vertices on the sides, which have
@@ -109,6 +145,7 @@ class PeriodicDomain {
   explicit PeriodicDomain(const PeriodicTile& tile, const PeriodicOptions& options = {});
   ~PeriodicDomain();
   PeriodicDomain(PeriodicDomain&&) noexcept;
+  PeriodicDomain& operator=(PeriodicDomain&&) noexcept;
 
   MultiMesh& tree();
   const MultiMesh& tree() const;
@@ -130,7 +167,7 @@ class PeriodicDomain {
   /// The tile with its positions, for algorithms on it and on meshes below it. A vertex moves with all its
   /// copies, and no facet may be inverted (triangles, as seen against the mean normal: unless some are at
   /// first). In a tile of triangles, side edges are curves: vertices of sides stay on them, and their ends do
-  /// not move. The root has no positions, nor have the interfaces. Must not outlive the domain. Cost: linear
+  /// not move. The root has no positions, nor have its other children. Must not outlive the domain. Cost: linear
   Embedding embedding(TileSides sides = TileSides::flat);
 
   /// For the tile as built: the facet and the vertex of the input; no_index for vertices of `refine`.
@@ -155,27 +192,36 @@ class PeriodicDomain {
   /// Adds the glued sides as a child of the tile; algorithms then take them for a surface that is kept.
   /// \return nothing if there are none
   std::optional<NodeId> add_cuts();
-  /// Adds the faces between different regions as a child of the root, because they may lie in the sides.
-  /// Regions then keep their shape. \return nothing if there are none
-  std::optional<NodeId> add_interfaces();
+  /// The mesh of the listed simplices of dimension k, a child of the root; nothing if there are none. That of
+  /// the faces has the interfaces as well, that of the edges in dimension 3 also where listed faces and
+  /// interfaces meet, end, or change their tags.
+  std::optional<NodeId> listed(int k) const;
+  /// What the tile lists of a facet of that mesh.
+  const PeriodicLabel& label(int k, Index facet) const;
 
   /// The region of a facet of the tile. New facets of a swap have the region of one of the old ones: with
-  /// several regions, add the interfaces.
+  /// several regions, keep the interfaces.
   PeriodicTile::Region region(Index tile_facet) const;
 
   // --- for writing, and gluing again as PeriodicDomain(tile_lists(), gluing())
-  /// The current tile, without dead elements.
+  /// The current tile, without dead elements. Of what it lists, each copy that had a tag has it.
   PeriodicTile tile_lists() const;
-  /// Its periods, and its pairs: each copy of a vertex with the copy of the lowest number.
+  /// All copies of its vertices but those of the lowest numbers, by root vertex.
+  std::vector<PeriodicCopy> copies() const;
+  /// Its periods, and as pairs its copies.
   PeriodicOptions gluing() const;
   /// Its sides, one entry per lattice vector. For $Periodic: io::add_periodic_faces.
   std::vector<PeriodicSide> sides() const;
   PeriodicSources sources() const;
+  /// Whether all its sides are flat: faces that are glued by the same lattice vector lie in one plane, or on
+  /// one line, as those of a box or a hexagon do.
+  bool has_flat_sides() const;
+
+  struct Data;  ///< private to the implementation
 
  private:
   Attribute& sources_of_vertices();
 
-  struct Data;
   std::unique_ptr<Data> data_;
 };
 

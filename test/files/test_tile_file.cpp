@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic tiles: the file declares what is glued.
 #include "multimesh/files/tile_file.hpp"
+
+#include <cstdio>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 #include "test/files/folder.hpp"
 #include "test/periodic/tiles.hpp"
@@ -27,7 +34,7 @@ TEST_F(Tile, IsGluedAgainByThePairsOfItsFile) {
   const TileFile file = read_tile(folder / "t.msh");
   EXPECT_FALSE(file.options.pairs.empty());
   EXPECT_EQ(std::ranges::count(file.tile.regions, 2), std::ranges::count(two_regions().regions, 2));
-  EXPECT_EQ(file.groups.groups.size(), 2U);
+  EXPECT_EQ(std::ranges::count(file.groups.groups, 3, &io::SimplexSoup::Group::dimension), 2);
   const PeriodicDomain again(file.tile, file.options);
   EXPECT_EQ(again.report().simplices, domain.report().simplices);
   EXPECT_EQ(validate(again.tree()), std::vector<std::string>{});
@@ -41,10 +48,163 @@ TEST_F(Tile, IsMatchedByItsSidesWhereTheFileSaysNothing) {
   EXPECT_EQ(PeriodicDomain(file.tile, file.options).report().simplices, domain.report().simplices);
 }
 
-TEST_F(Tile, TellsOfWhatItLeavesOut) {
-  const PeriodicDomain domain(two_regions(), along(true, true, true));
-  write_tile(folder / "t.msh", domain);  // with the triangles of its sides
-  EXPECT_TRUE(any_has(read_tile(folder / "t.msh").warnings, "triangles are left out"));
+std::string content(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A copy of a listed simplex, by its places, with its tag.
+using Placed = std::pair<std::set<std::array<double, 3>>, PeriodicTile::Region>;
+
+std::multiset<Placed> placed(const PeriodicTile& tile, std::size_t k) {
+  std::multiset<Placed> all;
+  for (std::size_t s = 0; s < tile.listed[k].tags.size(); ++s) {
+    Placed one{{}, tile.listed[k].tags[s]};
+    for (const Index v : tile.listed[k].simplices.facet(s)) one.first.insert(tile.points[v]);
+    all.insert(one);
+  }
+  return all;
+}
+
+/// A cube that lists its sides, each with a tag of its own, a face in the middle in two parts, edges of the
+/// box, and a point.
+PeriodicTile listing_cube() {
+  PeriodicTile tile = cube_tile(4);
+  tile.regions.assign(tile.facets.size(), 1);
+  std::map<std::set<Index>, int> times;
+  const auto faces = [&](auto visit) {
+    for (std::size_t t = 0; t < tile.facets.size(); ++t)
+      for (std::size_t i = 0; i < 4; ++i) {
+        std::set<Index> face;
+        for (std::size_t j = 0; j < 4; ++j)
+          if (j != i) face.insert(tile.facets.facet(t)[j]);
+        visit(face);
+      }
+  };
+  const auto lies_at = [&](const std::set<Index>& face, std::size_t axis, double x) {
+    return std::ranges::all_of(face, [&](Index v) { return tile.points[v][axis] == x; });
+  };
+  const auto list = [&](const std::set<Index>& simplex, PeriodicTile::Region tag) {
+    auto& listed = tile.listed[simplex.size() - 1];
+    listed.simplices.corners.insert(listed.simplices.corners.end(), simplex.begin(), simplex.end());
+    listed.tags.push_back(tag);
+  };
+  faces([&](const auto& face) { ++times[face]; });
+  for (const auto& [face, n] : times) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int end : {0, 1})
+        if (lies_at(face, axis, end)) list(face, static_cast<PeriodicTile::Region>(10 + 2 * axis) + end);
+    if (lies_at(face, 2, 0.5)) list(face, tile.points[*face.begin()][0] < 0.5 ? 30 : 31);
+  }
+  for (Index k = 0; k < 4; ++k) {
+    list({k, k + 1}, 40);                          // along z at x = y = 0
+    list({k + 5 * 4, k + 1 + 5 * 4}, 41);          // its copy at y = 1; those at x = 1 are not listed
+  }
+  list({2 * 25 + 2 * 5 + 1}, 50);
+  return tile;
+}
+
+TEST_F(Tile, KeepsWhatItListsOnEachOfItsSides) {
+  const PeriodicTile tile = listing_cube();
+  PeriodicDomain domain(tile, along(true, true, true));
+  EXPECT_EQ(domain.report().missing_listed, 0U);
+  EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+  const DomainGroups groups{{{2, 10, "left"}, {2, 11, "right"}, {1, 40, "axis"}, {0, 50, "point"}}, {}};
+  for (const auto version : {io::MshVersion::v2_2, io::MshVersion::v4_1}) {
+    EXPECT_EQ(write_tile(folder / "t.msh", domain, groups, {version, true}), (std::vector<std::string>{}));
+    const TileFile file = read_tile(folder / "t.msh");
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(placed(file.tile, k), placed(tile, k)) << k;
+    for (const auto& g : groups.groups) EXPECT_EQ(std::ranges::count(file.groups.groups, g), 1) << g.name;
+  }
+}
+
+TEST_F(Tile, KeepsTagsOfHalvesAfterSplits) {
+  PeriodicDomain domain(listing_cube(), along(true, true, true));
+  Propagation propagation(domain.tree());
+  domain.attach(propagation);
+  const Mesh& tile = domain.tree().mesh(domain.tile());
+  for (int round = 0; round < 40; ++round) {
+    const Dart e = tile.dart_of(3, static_cast<Index>(37 * round) % tile.capacity(3));
+    ASSERT_TRUE(propagation.split(domain.tile(), e));
+  }
+  std::map<PeriodicTile::Region, double> area;
+  const PeriodicTile now = domain.tile_lists();
+  for (std::size_t s = 0; s < now.listed[2].tags.size(); ++s) {
+    Vec3 p[3];
+    for (std::size_t i = 0; i < 3; ++i) p[i] = Vec3(now.points[now.listed[2].simplices.facet(s)[i]]);
+    area[now.listed[2].tags[s]] += cross(p[1] - p[0], p[2] - p[0]).norm() / 2;
+  }
+  for (PeriodicTile::Region tag = 10; tag < 16; ++tag) EXPECT_NEAR(area[tag], 1, 1e-12) << tag;
+  EXPECT_NEAR(area[30] + area[31], 1, 1e-12);
+}
+
+TEST_F(Tile, TablesNameEachSlaveOnceAndItsMasterLatticeVectorsAway) {
+  const PeriodicDomain domain(cube_tile(4), along(true, true, true));
+  write_pair_table(folder / "t.csv", domain);
+  const PeriodicTile tile = domain.tile_lists();
+  std::istringstream lines(content(folder / "t.csv"));
+  std::string line;
+  std::set<int> slaves, masters;
+  std::map<int, int> of_master;
+  int comments = 0;
+  for (bool header = false; std::getline(lines, line);) {
+    if (line.starts_with('#')) {
+      ++comments;
+    } else if (!std::exchange(header, true)) {
+      EXPECT_EQ(line, "slave,master,kx,ky,kz");
+    } else {
+      int n[5];
+      ASSERT_EQ(std::sscanf(line.c_str(), "%d,%d,%d,%d,%d", n, n + 1, n + 2, n + 3, n + 4), 5) << line;
+      EXPECT_TRUE(slaves.insert(n[0]).second) << line;
+      masters.insert(n[1]);
+      ++of_master[n[1]];
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(tile.points[static_cast<std::size_t>(n[0] - 1)][i],
+                  tile.points[static_cast<std::size_t>(n[1] - 1)][i] + n[2 + i]);
+    }
+  }
+  EXPECT_EQ(comments, 3);
+  EXPECT_EQ(slaves.size(), 125U - 64U);
+  for (const int m : masters) EXPECT_FALSE(slaves.contains(m));
+  EXPECT_EQ(std::ranges::count_if(of_master, [](const auto& m) { return m.second == 7; }), 1);  // the corner
+}
+
+TEST_F(Tile, EquationsHoldForAnyAffineDisplacement) {
+  const PeriodicDomain domain(cube_tile(4), along(true, true, true));
+  write_abaqus_equations(folder / "t.inp", domain);
+  const PeriodicTile tile = domain.tile_lists();
+  const auto n = tile.points.size();
+  // The displacement of a reference node is that of its period: the gradient times the vector.
+  const double gradient[3][3] = {{2, 3, 5}, {7, 11, 13}, {17, 19, 23}};
+  const auto displacement = [&](std::size_t node, std::size_t degree) {
+    if (node > n) return gradient[degree][node - n - 1];
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += gradient[degree][i] * tile.points[node - 1][i];
+    return sum;
+  };
+  std::istringstream in(content(folder / "t.inp"));
+  std::string line;
+  std::size_t equations = 0;
+  while (std::getline(in, line)) {
+    if (line != "*EQUATION") continue;
+    std::size_t terms = 0;
+    ASSERT_TRUE(std::getline(in, line));
+    terms = std::stoul(line);
+    double sum = 0;
+    while (terms > 0) {
+      ASSERT_TRUE(std::getline(in, line));
+      std::ranges::replace(line, ',', ' ');
+      std::istringstream numbers(line);
+      std::size_t in_line = 0, node = 0, degree = 0;
+      for (double factor = 0; numbers >> node >> degree >> factor; ++in_line, --terms)
+        sum += factor * displacement(node, degree - 1);
+      ASSERT_LE(in_line, 4U) << line;
+      ASSERT_GE(in_line, 1U) << line;
+    }
+    EXPECT_NEAR(sum, 0, 1e-12);
+    ++equations;
+  }
+  EXPECT_EQ(equations, 3 * (125U - 64U));
 }
 
 TEST_F(Tile, OfCurvesIsRefused) {

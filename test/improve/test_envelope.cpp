@@ -191,10 +191,16 @@ PeriodicTile wavy_tile(Index n) {
   return tile;
 }
 
+PeriodicOptions with_interfaces() {
+  PeriodicOptions options = test::along(true, true, true);
+  options.interfaces = true;
+  return options;
+}
+
 TEST(StaysInEnvelope, OfATileModuloTheLattice) {
   for (const TileSides sides : {TileSides::free, TileSides::flat}) {
-    PeriodicDomain domain(wavy_tile(6), test::along(true, true, true));
-    const std::optional<NodeId> interfaces = domain.add_interfaces();
+    PeriodicDomain domain(wavy_tile(6), with_interfaces());
+    const std::optional<NodeId> interfaces = domain.listed(2);
     ASSERT_TRUE(interfaces);
     const auto now = [&] {
       return triangles_of(domain.tree(), *interfaces, domain.tile(), domain.positions().values());
@@ -259,8 +265,8 @@ PeriodicTile crooked(PeriodicTile tile, double step) {
 TEST(ImproveInEnvelope, GetsBetterThanWhereTheSurfaceIsHeld) {
   std::array<double, 2> mean{};
   for (const bool moves : {false, true}) {
-    PeriodicDomain domain(crooked(wavy_tile(6), 0.1), test::along(true, true, true));
-    const NodeId interfaces = *domain.add_interfaces();
+    PeriodicDomain domain(crooked(wavy_tile(6), 0.1), with_interfaces());
+    const NodeId interfaces = *domain.listed(2);
     const auto before = volumes(domain);
     const Embedding embedding = domain.embedding();
     ImproveOptions options{.target_amips = 6, .max_passes = 3};

@@ -134,7 +134,6 @@ TEST(PeriodicFileRefused, ForTheRightReason) {
   } cases[] = {
       // One layer of cubes thick: two edges, of different lengths, lead through it.
       {"smile_tet_mesh.msh", along(true, true, true), "along z; at least 3 are needed"},
-      {"plate4SD.ply", along(true, true, true), "no extent along z"},
       {"wire_cube.obj", along(true, true, true), "has dimension 2 or 3, not 1"},
       // Two cubes side by side, the sides of the box are those of different ones.
       {"gmsh_t18_v41.msh", along(true, true, true), "along x do not match: vertex"},

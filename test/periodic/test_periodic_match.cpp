@@ -98,9 +98,19 @@ TEST(PeriodicMatch, MatchesJaggedSidesWhereTheyMatch) {
   EXPECT_EQ(domain.report().with_copies, (std::vector<std::size_t>{0, 9, 6, 0, 1}));
 }
 
+TEST(PeriodicMatch, DropsAnAxisWithoutExtent) {
+  const PeriodicDomain domain(square_tile(4, 4), along(true, true, true));
+  EXPECT_EQ(domain.report().dropped_axes, (std::array<bool, 3>{false, false, true}));
+  EXPECT_FALSE(domain.lattice().is_periodic(2));
+  EXPECT_EQ(domain.report().euler, 0);
+  PeriodicOptions given = along(true, true, true);
+  given.periods = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}};
+  EXPECT_NE(refusal(square_tile(4, 4), given).find("period along z is 0"), std::string::npos);
+}
+
 TEST(PeriodicMatch, RefusesBadInputNamingIt) {
   const PeriodicTile good = square_tile(4, 4);
-  EXPECT_NE(refusal(good, along(true, true, true)).find("no extent along z"), std::string::npos);
+  EXPECT_NE(refusal(good, along(false, false, true)).find("no extent along z"), std::string::npos);
   EXPECT_NE(refusal(good, along(false, false, false)).find("no periodic axis"), std::string::npos);
   PeriodicTile tile = good;
   tile.facets.corners[7] = 99;

@@ -70,6 +70,7 @@ class PeriodicOutput : public testing::TestWithParam<std::tuple<int, Recut>> {
     const auto [d, how] = GetParam();
     RecutTorus t = recut_torus(d, 4, how, random);
     for (std::size_t f = 0; f < t.tile.facets.size(); ++f) t.tile.regions.push_back(random() % 4 ? 8 : 3);
+    t.options.interfaces = true;
     return t;
   }
   Folder folder_;
@@ -80,7 +81,7 @@ TEST_P(PeriodicOutput, IsReadAgainAfterAStorm) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const RecutTorus input = torus(seed);
     PeriodicDomain domain(input.tile, input.options);
-    ASSERT_TRUE(domain.add_interfaces());
+    ASSERT_TRUE(domain.listed(input.tile.facets.dimension - 1));
     PeriodicStorm storm(domain, seed, true);
     for (int i = 0; i < 500; ++i) storm.step();
     for (const auto version : {io::MshVersion::v2_2, io::MshVersion::v4_1})
@@ -103,7 +104,7 @@ TEST_P(PeriodicOutput, IsGluedAgainInMemory) {
 TEST_P(PeriodicOutput, TellsWhereFacetsAndVerticesComeFrom) {
   const RecutTorus input = torus(9);
   PeriodicDomain domain(input.tile, input.options);
-  ASSERT_TRUE(domain.add_interfaces());
+  ASSERT_TRUE(domain.listed(input.tile.facets.dimension - 1));
   PeriodicStorm storm(domain, 3, true);
   for (int i = 0; i < 300; ++i) storm.step();
   const PeriodicTile now = domain.tile_lists();

@@ -38,6 +38,7 @@ PeriodicDomain::PeriodicDomain(const PeriodicTile& tile, const PeriodicOptions& 
   GluedTile glued = glue_tile(prepared.tile, report);
   data_ = std::make_unique<Data>(std::move(prepared), std::move(glued), std::move(report), tile);
   count(data_->tree, data_->tile, data_->report);
+  data_->add_listed(tile, options);
   const Vec3 normal = mean_normal(*this);
   const Mesh& mesh = data_->tree.mesh(data_->tile);
   for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
@@ -46,6 +47,7 @@ PeriodicDomain::PeriodicDomain(const PeriodicTile& tile, const PeriodicOptions& 
 
 PeriodicDomain::~PeriodicDomain() = default;
 PeriodicDomain::PeriodicDomain(PeriodicDomain&&) noexcept = default;
+PeriodicDomain& PeriodicDomain::operator=(PeriodicDomain&&) noexcept = default;
 
 MultiMesh& PeriodicDomain::tree() {
   return data_->tree;
@@ -142,21 +144,11 @@ std::optional<NodeId> PeriodicDomain::add_cuts() {
   return data_->cuts;
 }
 
-std::optional<NodeId> PeriodicDomain::add_interfaces() {
-  const Mesh& root = data_->tree.mesh(NodeId::root);
-  const int d = root.dimension();
-  DartBuffer cofacets, in_tile;
-  return data_->add_faces(NodeId::root, [&](Dart face) {
-    root.star(face, d - 1, cofacets);
-    if (cofacets.size() != 2) return false;
-    std::array<PeriodicTile::Region, 2> region{};
-    for (std::size_t i = 0; i < 2; ++i) {
-      in_tile.clear();
-      data_->tree.to_child(tile(), cofacets[i], d, in_tile);
-      region[i] = data_->region(data_->tree.mesh(tile()).facet(in_tile.front()));
-    }
-    return region[0] != region[1];
-  });
+std::optional<NodeId> PeriodicDomain::listed(int k) const {
+  return data_->listed[static_cast<std::size_t>(k)].node;
+}
+const PeriodicLabel& PeriodicDomain::label(int k, Index facet) const {
+  return data_->labels[(*data_->listed[static_cast<std::size_t>(k)].label)[facet]];
 }
 
 PeriodicTile::Region PeriodicDomain::region(Index tile_facet) const {

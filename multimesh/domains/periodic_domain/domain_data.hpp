@@ -72,6 +72,9 @@ struct PeriodicDomain::Data {
     return !tree.mesh(NodeId::root).is_boundary(tree.to_parent(tile, face), k);
   }
 
+  /// Makes the meshes of what the tile lists, and of the interfaces if requested.
+  void add_listed(const PeriodicTile& input, const PeriodicOptions& options);
+
   /// Adds the tagged faces of a mesh as its child; nothing if there are none.
   std::optional<NodeId> add_faces(NodeId n, const std::function<bool(Dart face)>& is_tagged) {
     const Mesh& mesh = tree.mesh(n);
@@ -103,6 +106,12 @@ struct PeriodicDomain::Data {
     return number;
   }
 
+  /// A mesh of listed simplices.
+  struct ListedMesh {
+    std::optional<NodeId> node;
+    std::vector<Index>* label = nullptr;  // a property of it: into labels
+  };
+
   Lattice lattice;
   double diagonal;
   PeriodicReport report;
@@ -114,6 +123,10 @@ struct PeriodicDomain::Data {
   MultiMesh tree;
   NodeId tile = NodeId::root;
   std::optional<NodeId> cuts;
+  std::array<ListedMesh, 3> listed;  // by dimension
+  bool interfaces = false;            // are kept
+  double corner_angle = 0;
+  std::vector<PeriodicLabel> labels;  // the first one is that of simplices that are not listed
   std::optional<VertexAttribute<Vec3>> positions;
   std::optional<VertexAttribute<LatticeVector>> offsets;
   std::optional<VertexAttribute<Index>> sources;

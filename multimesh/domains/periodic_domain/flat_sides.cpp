@@ -26,7 +26,11 @@ bool is_axis(const Vec3& n) {
 FlatSides::FlatSides(const PeriodicDomain& domain) : domain_(domain), tile_normal_(mean_normal(domain)) {
   const PeriodicTile tile = domain.tile_lists();
   for (const PeriodicSide& side : domain.sides())
-    if (const auto n = normal_of(side, tile)) normals_[side.shift] = *n;
+    if (const auto n = normal_of(side, tile)) {
+      normals_[side.shift] = *n;
+    } else {
+      all_ = false;
+    }
 }
 
 bool FlatSides::is_flat(const PeriodicSide& side, const PeriodicTile& tile, const Vec3& normal) const {
@@ -84,6 +88,10 @@ Vec3 FlatSides::allowed(Index v, const Vec3& x) const {
     for (std::size_t i = 0; i < 3; ++i)
       if (n == axes[i]) place[i] = here[i];
   return place;
+}
+
+bool PeriodicDomain::has_flat_sides() const {
+  return FlatSides(*this).are_all();
 }
 
 }  // namespace multimesh

@@ -13,6 +13,8 @@ class FlatSides {
   /// Cost: linear.
   explicit FlatSides(const PeriodicDomain& domain);
 
+  /// Whether there is no other side.
+  bool are_all() const { return all_; }
   /// The nearest place to x where the vertex of the tile, as it is now, stays in its flat sides.
   Vec3 allowed(Index v, const Vec3& x) const;
 
@@ -23,6 +25,7 @@ class FlatSides {
 
   const PeriodicDomain& domain_;
   Vec3 tile_normal_;
+  bool all_ = true;
   std::map<LatticeVector, Vec3> normals_;  ///< of flat sides, by the vector between the two
 };
 

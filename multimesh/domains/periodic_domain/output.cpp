@@ -9,6 +9,36 @@
 
 namespace multimesh {
 
+namespace {
+
+/// The copies in the tile of the simplices that a mesh of listed simplices is made of, with their tags.
+void put_listed(const PeriodicDomain& domain, int k, const std::vector<Index>& number,
+                PeriodicTile::Listed& out) {
+  const std::optional<NodeId> node = domain.listed(k);
+  if (!node) return;
+  const MultiMesh& tree = domain.tree();
+  const Mesh &mesh = tree.mesh(*node), &tile = tree.mesh(domain.tile());
+  DartBuffer copies;
+  for (Index s = 0; s < mesh.capacity(k); ++s) {
+    if (!mesh.is_live(k, s) || domain.label(k, s).copies.empty()) continue;
+    copies.clear();
+    tree.to_child(domain.tile(), tree.to_parent(*node, mesh.dart_of(k, s)), k, copies);
+    const auto offset = [&](Dart d) { return domain.offsets()[tile.vertex(d)]; };
+    LatticeVector least = offset(copies[0]);
+    for (const Dart c : copies) least = std::min(least, offset(c));
+    for (const auto& [at, tag] : domain.label(k, s).copies) {
+      const auto copy = std::ranges::find_if(copies, [&](Dart c) { return offset(c) - least == at; });
+      if (copy == copies.end()) continue;
+      Index v[4];
+      tile.vertices(*copy, v);
+      for (int i = 0; i <= k; ++i) out.simplices.corners.push_back(number[v[i]]);
+      out.tags.push_back(tag);
+    }
+  }
+}
+
+}  // namespace
+
 PeriodicTile PeriodicDomain::tile_lists() const {
   const Mesh& mesh = data_->tree.mesh(tile());
   const int d = mesh.dimension();
@@ -27,6 +57,11 @@ PeriodicTile PeriodicDomain::tile_lists() const {
     for (std::size_t i = 0; i <= static_cast<std::size_t>(d); ++i) out.facets.corners.push_back(number[v[i]]);
     if (!data_->regions.empty()) out.regions.push_back(region(f));
   }
+  for (int k = 0; k < d; ++k) {
+    auto& listed = out.listed[static_cast<std::size_t>(k)];
+    put_listed(*this, k, number, listed);
+    listed.simplices.vertices = out.facets.vertices;
+  }
   return out;
 }
 
@@ -43,6 +78,8 @@ PeriodicSources PeriodicDomain::sources() const {
 
 PeriodicOptions PeriodicDomain::gluing() const {
   PeriodicOptions options;
+  options.interfaces = data_->interfaces;
+  options.corner_angle = data_->corner_angle;
   options.periods.emplace();
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
@@ -50,20 +87,27 @@ PeriodicOptions PeriodicDomain::gluing() const {
     const Eigen::Vector3d period = lattice().periods().col(axis);
     (*options.periods)[i] = {period[0], period[1], period[2]};
   }
+  for (const PeriodicCopy& c : copies()) options.pairs.push_back({c.slave, c.master});
+  return options;
+}
+
+std::vector<PeriodicCopy> PeriodicDomain::copies() const {
   const MultiMesh& tree = data_->tree;
   const Mesh &root = tree.mesh(NodeId::root), &mesh = tree.mesh(tile());
   const std::vector<Index> number = data_->numbers();
-  DartBuffer copies;
+  DartBuffer in_tile;
   std::vector<Index> vertices;
+  std::vector<PeriodicCopy> out;
   for (Index v = 0; v < root.capacity(0); ++v) {
     if (!root.is_live(0, v) || root.dart_of(0, v) == no_dart) continue;
-    copies.clear(), vertices.clear();
-    tree.to_child(tile(), root.dart_of(0, v), 0, copies);
-    for (const Dart c : copies) vertices.push_back(number[mesh.vertex(c)]);
-    std::sort(vertices.begin(), vertices.end());
-    for (std::size_t i = 1; i < vertices.size(); ++i) options.pairs.push_back({vertices[i], vertices[0]});
+    in_tile.clear(), vertices.clear();
+    tree.to_child(tile(), root.dart_of(0, v), 0, in_tile);
+    for (const Dart c : in_tile) vertices.push_back(mesh.vertex(c));
+    std::ranges::sort(vertices);  // and so are their numbers
+    for (std::size_t i = 1; i < vertices.size(); ++i)
+      out.push_back({number[vertices[i]], number[vertices[0]], offsets()[vertices[i]] - offsets()[vertices[0]]});
   }
-  return options;
+  return out;
 }
 
 std::vector<PeriodicSide> PeriodicDomain::sides() const {

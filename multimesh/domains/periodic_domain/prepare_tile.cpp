@@ -24,23 +24,40 @@ void check_lists(const PeriodicTile& in) {
   FacetList facets = in.facets;
   facets.vertices = static_cast<Index>(in.points.size());
   require_corners(facets, [](std::size_t f) { return "facet " + std::to_string(f) + " of the tile"; });
+  for (std::size_t k = 0; k < 3; ++k) {
+    FacetList list = in.listed[k].simplices;
+    list.vertices = facets.vertices;
+    if (list.dimension != static_cast<int>(k) || in.listed[k].tags.size() != list.size())
+      throw InputError("the lists of a tile have a tag per simplex, of dimensions 0, 1 and 2");
+    if (list.size() > 0 && list.dimension >= facets.dimension)
+      throw InputError("a tile lists simplices of lower dimensions than its facets");
+    require_corners(list, [](std::size_t s) { return "listed simplex " + std::to_string(s) + " of the tile"; });
+  }
   for (const Index v : facets.corners)
     if (!std::ranges::all_of(in.points[v], [](double x) { return std::isfinite(x); }))
       throw InputError("the coordinates of vertex " + std::to_string(v) + " are not finite");
 }
 
-Lattice lattice_of(const PeriodicOptions& options, const Vec3& extents, double tolerance) {
+Lattice lattice_of(const PeriodicOptions& options, const Vec3& extents, double tolerance,
+                   std::array<bool, 3>& dropped) {
   Eigen::Matrix3d periods = Eigen::Vector3d(extents.data()).asDiagonal();
-  if (std::none_of(options.axes.begin(), options.axes.end(), [](bool on) { return on; }))
-    throw InputError("the tile has no periodic axis");
+  std::array<bool, 3> axes = options.axes;
   for (int i = 0; i < 3; ++i) {
     const auto axis = static_cast<std::size_t>(i);
     if (options.periods) periods.col(i) = Eigen::Vector3d((*options.periods)[axis].data());
-    if (options.axes[axis] && !(periods.col(i).norm() > 4 * tolerance))
-      throw InputError(std::string("the tile has no extent along ") + "xyz"[i] +
-                       ": that axis is not periodic");
+    if (!axes[axis] || periods.col(i).norm() > 4 * tolerance) continue;
+    if (options.periods) throw InputError(std::string("the period along ") + "xyz"[i] + " is 0");
+    axes[axis] = false;
+    dropped[axis] = true;
   }
-  return Lattice(options.axes, periods);
+  if (std::none_of(axes.begin(), axes.end(), [](bool on) { return on; })) {
+    const auto flat = std::ranges::find(dropped, true);
+    throw InputError(flat == dropped.end() ? "the tile has no periodic axis"
+                                           : std::string("the tile has no extent along ") +
+                                                 "xyz"[flat - dropped.begin()] +
+                                                 ": that axis is not periodic");
+  }
+  return Lattice(axes, periods);
 }
 
 // Copies get the place of their representative, shifted. Those that fit but for rounding stay: a tile that
@@ -92,7 +109,7 @@ PreparedTile prepare_tile(const PeriodicTile& input, const PeriodicOptions& opti
   if (!(diagonal > 0)) throw InputError("all vertices of the tile lie at the same place");
   const double tolerance = options.tolerance * diagonal;
 
-  Lattice lattice = lattice_of(options, high - low, tolerance);
+  Lattice lattice = lattice_of(options, high - low, tolerance, report.dropped_axes);
   VertexClasses classes(tile.point.size());
   std::vector<LatticeVector> vectors;
   if (options.pairs.empty()) {

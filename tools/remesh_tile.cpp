@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/remesh_tile.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "adapters/io/naming.hpp"
+#include "multimesh/algorithms/remesh_tile.hpp"
+#include "multimesh/error.hpp"
+#include "tools/joined_check.hpp"
+#include "tools/warnings.hpp"
+
+namespace multimesh::tools {
+
+namespace {
+
+/// Interfaces and curved sides are polygons of other edges afterwards.
+constexpr double much_of_area = 1e-3;
+
+void warn_of_areas(const TileTopology& before, const TileTopology& after, std::vector<std::string>& warnings) {
+  for (const auto& [region, size] : before.sizes) {
+    const auto now = after.sizes.find(region);
+    const double change = now == after.sizes.end() ? -1 : now->second / size - 1;
+    if (std::abs(change) <= much_of_area) continue;
+    std::ostringstream text;
+    text.precision(2);
+    text << "the area of region " << region << " has changed by " << 100 * change
+         << " %; a smaller --length or --feature-angle keeps it better";
+    warnings.push_back(text.str());
+  }
+}
+
+void warn_of_length(const PeriodicDomain& domain, double length, std::vector<std::string>& warnings) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    LatticeVector unit{};
+    unit[i] = 1;
+    if (domain.lattice().is_periodic(static_cast<int>(i)))
+      least = std::min(least, domain.lattice().shift(unit).norm());
+  }
+  if (3 * length <= least) return;
+  std::ostringstream text;
+  text << "the length is more than a third of the period " << least
+       << ": three edges must remain along each period, so edges may be shorter";
+  warnings.push_back(text.str());
+}
+
+}  // namespace
+
+void remesh_tile(RemeshArguments& a, RunReport& report) {
+  check_tile_outputs(a.input, a.output, a.periodic);
+  if (a.feature_angle > 0) a.periodic.corner_angle = a.feature_angle;
+  auto [file, domain] = read_periodic(a.input, a.periodic);
+  if (domain.tree().mesh(domain.tile()).dimension() != 2)
+    throw InputError(a.input + ": is a tile of tetrahedra; improve --periodic is for those");
+  a.options.length = a.length > 0 ? a.length : a.relative_length * domain.diagonal();
+  warn_of_length(domain, a.options.length, file.warnings);
+  const TileSides usual = domain.has_flat_sides() ? TileSides::flat : TileSides::free;
+  const TileRemeshOptions options{a.options, requested_sides(a.periodic).value_or(usual)};
+  const TileTopology before = topology_of(domain);
+  const Json tile_before = to_json(domain);
+  const TileRemeshResult r = io::naming(a.input, [&] { return remesh(domain, options); });
+  warn_of_lengths(a, r, file.warnings);
+  warn_of_areas(before, topology_of(domain), file.warnings);
+  add(dropped_from_sides(r.dropped_listed), file.warnings);
+  constexpr double any = std::numeric_limits<double>::infinity();
+  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), any, a.periodic), file.warnings);
+  report.json() = to_json(a, r);
+  report.json()["options"]["feature_angle_degrees"] = a.periodic.corner_angle;
+  report.json()["periodic"] = {
+      {"sides", name_of(options.sides)}, {"before", tile_before}, {"after", to_json(domain)}};
+  report.finish(file.warnings, a.quiet);
+  if (a.quiet) return;
+  std::cerr << file.tile.facets.size() << " faces -> " << domain.tile_lists().facets.size() << " in "
+            << r.seconds << " s; " << percent_in_range(r) << " % of the edges are within 4/5 and 4/3 of "
+            << a.options.length << '\n';
+}
+
+}  // namespace multimesh::tools
