@@ -176,9 +176,10 @@ void show_progress(ImproveArguments& a) {
 }
 
 /// The surface of the material, the interfaces and what else is listed.
-std::vector<Confinement> in_envelope(const PeriodicDomain& domain, double distance) {
-  std::vector<Confinement> confined{{domain.tile(), Confined::envelope, distance}};
-  if (const auto faces = domain.listed(2)) confined.push_back({*faces, Confined::envelope, distance});
+std::vector<Confinement> in_envelope(PeriodicDomain& domain, double distance) {
+  std::vector<Confinement> confined;
+  for (const std::optional<NodeId> surface : {domain.add_surface(), domain.listed(2)})
+    if (surface) confined.push_back({*surface, Confined::envelope, distance});
   return confined;
 }
 

@@ -230,6 +230,36 @@ TEST(ImproveTile, InAStormKeepsRegionsAndOrientation) {
   }
 }
 
+// At the other copies of its vertices in the side, nothing is seen of it.
+TEST(ImproveTile, HoldsAnInterfaceThatTouchesASideFromWithin) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    PeriodicTile tile = crooked_tile(seed);
+    std::size_t touching = 0;
+    for (std::size_t t = 0; t < tile.facets.size(); ++t) {
+      const auto at_side = std::ranges::count_if(
+          tile.facets.facet(t), [&](Index v) { return tile.points[v][0] == 0; });
+      const bool is_part = at_side == 1 && t % 3 == 0;
+      touching += is_part;
+      tile.regions.push_back(is_part ? 2 : 1);
+    }
+    ASSERT_GT(touching, 5U);
+    PeriodicOptions options = test::along(true, true, true);
+    options.interfaces = true;
+    PeriodicDomain domain(tile, options);
+    const auto volume = [&] {
+      double sum = 0;
+      const Mesh& mesh = domain.tree().mesh(domain.tile());
+      for (Index t = 0; t < mesh.capacity(3); ++t)
+        if (mesh.is_live(3, t) && domain.region(t) == 2) sum += signed_measure(domain, t, {});
+      return sum;
+    };
+    const double before = volume();
+    const Embedding embedding = domain.embedding(TileSides::free);
+    (void)improve(embedding, domain.tile(), {.target_amips = 4});
+    EXPECT_NEAR(volume(), before, 1e-12) << seed;
+  }
+}
+
 TEST(ImproveTile, NeedsTetrahedra) {
   PeriodicDomain domain(test::square_tile(4, 4), test::along(true, true, false));
   const Embedding embedding = domain.embedding();

@@ -2,9 +2,12 @@
 // Algorithms for any surface, on a tile and on the surface of the material in one: all copies move together.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "multimesh/algorithms/remesh.hpp"
+#include "multimesh/algorithms/remesh_tile.hpp"
 #include "multimesh/embedding.hpp"
 #include "multimesh/validate.hpp"
 #include "test/periodic/betti.hpp"
@@ -46,6 +49,76 @@ TEST_P(PeriodicRemesh, OfATileKeepsItsBoxAndTopology) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Lengths, PeriodicRemesh, testing::Values(0.04, 0.1, 0.2));
+
+/// In radians.
+double least_angle(const PeriodicTile& tile) {
+  double least = 4;
+  for (std::size_t f = 0; f < tile.facets.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto v = tile.facets.facet(f);
+      const Vec3 at(tile.points[v[i]]), a = Vec3(tile.points[v[(i + 1) % 3]]) - at,
+                                        b = Vec3(tile.points[v[(i + 2) % 3]]) - at;
+      least = std::min(least, std::atan2(cross(a, b).norm(), dot(a, b)));
+    }
+  return least;
+}
+
+TEST(RemeshTile, WithFreeSidesIsBetterThanWithFlatAndFrozenOnes) {
+  std::map<TileSides, double> angle;
+  for (const TileSides sides : {TileSides::frozen, TileSides::flat, TileSides::free}) {
+    PeriodicDomain domain(shaken(square_tile(12, 5), 0.05), along(true, true, false));
+    std::size_t frozen = 0;
+    for (const PeriodicSide& side : domain.sides()) frozen += side.master.size();
+    TileRemeshOptions options;
+    options.length = 0.1;
+    options.sides = sides;
+    (void)remesh(domain, options);
+    EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+    EXPECT_EQ(betti(domain.tree().mesh(NodeId::root)), (std::vector<long>{1, 2, 1}));
+    EXPECT_TRUE(copies_fit(domain));
+    EXPECT_EQ(inverted(domain), 0U);
+    EXPECT_NEAR(size(domain), 1, 1e-12);
+    angle[sides] = least_angle(domain.tile_lists());
+    for (const PeriodicSide& side : domain.sides()) frozen -= side.master.size();
+    if (sides == TileSides::frozen) EXPECT_EQ(frozen, 0U);
+    EXPECT_EQ(domain.has_flat_sides(), sides != TileSides::free);
+  }
+  EXPECT_LT(angle[TileSides::frozen], angle[TileSides::flat]);
+  EXPECT_LT(angle[TileSides::frozen], angle[TileSides::free]);
+}
+
+TEST(RemeshTile, KeepsCornersOfInterfacesThatCrossItsSides) {
+  for (const TileSides sides : {TileSides::flat, TileSides::free}) {
+    PeriodicTile tile = square_tile(10, 10);  // with a square of half its width, in its corners
+    for (std::size_t f = 0; f < tile.facets.size(); ++f) {
+      Vec3 middle{};
+      for (const Index v : tile.facets.facet(f)) middle += Vec3(tile.points[v]) / 3;
+      const auto is_in = [](double x) { return x < 0.3 || x > 0.8; };
+      tile.regions.push_back(is_in(middle[0]) && is_in(middle[1]) ? 5 : 4);
+    }
+    PeriodicOptions gluing = along(true, true, false);
+    gluing.interfaces = true;
+    gluing.corner_angle = 0.5;
+    PeriodicDomain domain(tile, gluing);
+    TileRemeshOptions options;
+    options.length = 0.07;
+    options.sides = sides;
+    (void)remesh(domain, options);
+    double area = 0;
+    const Mesh& mesh = domain.tree().mesh(domain.tile());
+    for (Index f = 0; f < mesh.capacity(2); ++f)
+      if (mesh.is_live(2, f) && domain.region(f) == 5) area += signed_measure(domain, f, {0, 0, 1});
+    EXPECT_NEAR(area, 0.25, 1e-9);
+    EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+  }
+}
+
+TEST(RemeshTile, OfTetrahedraIsACallersMistake) {
+  PeriodicDomain domain(cube_tile(4), along(true, true, true));
+  TileRemeshOptions options;
+  options.length = 0.1;
+  EXPECT_THROW((void)remesh(domain, options), UsageError);
+}
 
 TEST(PeriodicSurface, IsRemeshedWhileAllCopiesOfTheTetrahedraFollow) {
   for (const auto& axes : {along(true, true, false), along(true, false, false)}) {
