@@ -190,14 +190,16 @@ void run_on_tile(const ImproveArguments& a, RunReport& report) {
     throw InputError(a.input + ": has no tetrahedron; remesh --periodic is for tiles of triangles");
   const TileSides sides = requested_sides(a.periodic).value_or(TileSides::flat);
   ImproveOptions options = a.options;
-  const double envelope = a.relative_envelope > 0 ? a.relative_envelope * domain.diagonal() : a.options.envelope;
+  const double envelope =
+      a.relative_envelope > 0 ? a.relative_envelope * domain.diagonal() : a.options.envelope;
   if (envelope > 0) options.confined = in_envelope(domain, envelope);
   const TileTopology before = topology_of(domain);
   const Json tile_before = tools::to_json(domain);
-  const ImproveResult r = io::naming(
-      a.input, [&] { return improve(domain.embedding(sides), domain.tile(), options); });
+  const ImproveResult r =
+      io::naming(a.input, [&] { return improve(domain.embedding(sides), domain.tile(), options); });
   const double sizes = envelope > 0 ? options.keep_volume : 1e-9;
-  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), sizes, a.periodic), file.warnings);
+  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), sizes, a.periodic),
+      file.warnings);
   for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
   report.json() = to_json(a, r);
   report.json()["periodic"] = {

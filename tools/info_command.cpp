@@ -190,15 +190,16 @@ void run_on_tetrahedra(const InfoArguments& a, files::DomainFile file, RunReport
 
 void print_tile(const Json& j) {
   const Json &p = j["periodic"], &glued = p["glued"];
-  std::cout << j["file"].get<std::string>() << "\n  periodic along " << p["periods"].dump() << "\n  glued:  "
-            << glued["vertices"] << " vertices, " << glued["edges"] << " edges, " << glued["triangles"]
-            << " triangles, " << glued["tetrahedra"] << " tetrahedra, Euler characteristic "
-            << glued["euler_characteristic"] << "; a proper complex\n  sides:  ";
+  std::cout << j["file"].get<std::string>() << "\n  periodic along " << p["periods"].dump()
+            << "\n  glued:  " << glued["vertices"] << " vertices, " << glued["edges"] << " edges, "
+            << glued["triangles"] << " triangles, " << glued["tetrahedra"]
+            << " tetrahedra, Euler characteristic " << glued["euler_characteristic"]
+            << "; a proper complex\n  sides:  ";
   for (const Json& side : p["sides"])
     std::cout << (&side == &p["sides"].front() ? "" : ", ") << side["faces"] << " faces along "
               << side["vector"].get<std::string>();
-  std::cout << (p["flat_sides"].get<bool>() ? "; flat" : "; not flat") << "\n  copies: "
-            << p["copies"].dump() << " (vertices by number of copies), mismatch " << p["mismatch"]
+  std::cout << (p["flat_sides"].get<bool>() ? "; flat" : "; not flat") << "\n  copies: " << p["copies"].dump()
+            << " (vertices by number of copies), mismatch " << p["mismatch"]
             << "\n  inverted: " << p["inverted"] << '\n';
 }
 

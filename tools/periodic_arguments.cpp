@@ -71,9 +71,10 @@ CLI::Option* add_periodic_tile_options(CLI::App& command, PeriodicArguments& a) 
                                       "the mesh is a tile of a pattern that repeats along these axes");
   periodic->check(CLI::Validator(check_axes, "AXES"))->group(periodic_group);
   command
-      .add_option("--periods", a.periods,
-                  "its period vectors, one per axis, as in \"1,0,0;0.5,0.6,0\"; default: those of $Periodic in "
-                  "the file, or the extents of its bounding box")
+      .add_option(
+          "--periods", a.periods,
+          "its period vectors, one per axis, as in \"1,0,0;0.5,0.6,0\"; default: those of $Periodic in "
+          "the file, or the extents of its bounding box")
       ->check(CLI::Validator(check_periods, "X,Y,Z;..."))
       ->needs(periodic)
       ->group(periodic_group);
@@ -90,9 +91,11 @@ CLI::Option* add_periodic_tile_options(CLI::App& command, PeriodicArguments& a) 
 void add_tile_output_options(CLI::App& command, PeriodicArguments& a) {
   auto* periodic = command.get_option("--periodic");
   command
-      .add_option("--sides", a.sides,
-                  "flat: flat sides stay where they are, and points move in them; free: the tile may be cut elsewhere; "
-                  "frozen: sides stay as they are. Default: flat; of triangles, free if not all sides are flat")
+      .add_option(
+          "--sides", a.sides,
+          "flat: flat sides stay where they are, and points move in them; free: the tile may be cut "
+          "elsewhere; "
+          "frozen: sides stay as they are. Default: flat; of triangles, free if not all sides are flat")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(side_names), std::end(side_names))))
       ->needs(periodic)
       ->group(periodic_group);
@@ -148,8 +151,9 @@ std::vector<std::string> write_tile_outputs(const std::string& output, const Til
 
 std::vector<std::string> dropped_from_sides(std::size_t n) {
   if (n == 0) return {};
-  return {std::to_string(n) + " listed points, edges or triangles in the sides are dropped, because the sides "
-                              "are free"};
+  return {std::to_string(n) +
+          " listed points, edges or triangles in the sides are dropped, because the sides "
+          "are free"};
 }
 
 Json to_json(const PeriodicDomain& domain) {

@@ -49,9 +49,10 @@ void add_options(CLI::App& command, RemeshArguments& a) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
-      .add_option("--feature-angle", a.feature_angle,
-                  "edges at which the surface bends by this or more, in degrees, are kept as curves; in a tile, "
-                  "points where interfaces and the boundary bend by this (default there: 20)")
+      .add_option(
+          "--feature-angle", a.feature_angle,
+          "edges at which the surface bends by this or more, in degrees, are kept as curves; in a tile, "
+          "points where interfaces and the boundary bend by this (default there: 20)")
       ->check(number([](double d) { return d > 0 && d <= 180; }, "in (0, 180], for instance 40", "DEGREES"));
   command.add_flag("--lock-seams", a.options.lock_seams, "keep texture seams as they are, edge by edge");
   command.add_flag("--lock-boundary", a.options.lock_boundary, "keep the boundary as it is, edge by edge");

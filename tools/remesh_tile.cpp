@@ -20,7 +20,8 @@ namespace {
 /// Interfaces and curved sides are polygons of other edges afterwards.
 constexpr double much_of_area = 1e-3;
 
-void warn_of_areas(const TileTopology& before, const TileTopology& after, std::vector<std::string>& warnings) {
+void warn_of_areas(const TileTopology& before, const TileTopology& after,
+                   std::vector<std::string>& warnings) {
   for (const auto& [region, size] : before.sizes) {
     const auto now = after.sizes.find(region);
     const double change = now == after.sizes.end() ? -1 : now->second / size - 1;

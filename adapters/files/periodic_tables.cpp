@@ -48,8 +48,9 @@ class Equation {
 };
 
 void put_reference_nodes(io::OutputBuffer& out, const PeriodicDomain& domain, std::size_t last) {
-  out.text("** Periodic boundary conditions: u(slave) - u(master) = sum of the displacements of the\n"
-           "** reference nodes of the periods between them. Include after the nodes of the tile.\n");
+  out.text(
+      "** Periodic boundary conditions: u(slave) - u(master) = sum of the displacements of the\n"
+      "** reference nodes of the periods between them. Include after the nodes of the tile.\n");
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!domain.lattice().is_periodic(static_cast<int>(axis))) continue;
     out.text("** period ");
@@ -102,7 +103,8 @@ void write_abaqus_equations(const std::filesystem::path& path, const PeriodicDom
   const int degrees = domain.tree().mesh(domain.tile()).dimension();
   for (const auto& [slave, master, shift] : domain.copies())
     for (int degree = 1; degree <= degrees; ++degree) {
-      Equation equation(out, 2 + static_cast<std::size_t>(std::ranges::count_if(shift, [](int k) { return k != 0; })));
+      Equation equation(
+          out, 2 + static_cast<std::size_t>(std::ranges::count_if(shift, [](int k) { return k != 0; })));
       equation.add(std::size_t{slave} + 1, degree, 1);
       equation.add(std::size_t{master} + 1, degree, -1);
       for (std::size_t axis = 0; axis < 3; ++axis)

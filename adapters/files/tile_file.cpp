@@ -81,8 +81,8 @@ void set_periods(TileFile& file, const std::array<bool, 3>& axes,
   }
   if (same) return;
   if (declared)
-    file.warnings.push_back("the periodic links of the file are not used: sides are matched by place, along " +
-                            axes_text(axes));
+    file.warnings.push_back(
+        "the periodic links of the file are not used: sides are matched by place, along " + axes_text(axes));
   options.axes = axes;
   options.periods = periods;
   options.pairs.clear();

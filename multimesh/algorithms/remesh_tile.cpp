@@ -14,11 +14,25 @@ namespace multimesh {
 
 namespace {
 
-/// Where a tile with free sides is cut, in units of its periods. In the first cut, sides are curves; what is
-/// bad at them is mended in the following ones, which run along edges that are good already, and keep them.
-constexpr std::array<Vec3, 8> cuts{Vec3{0.5, 0.5, 0.5}, Vec3{0.25, 0.35, 0.3}, Vec3{0.7, 0.6, 0.65},
-                                   Vec3{0.4, 0.2, 0.5},  Vec3{0.6, 0.8, 0.3},   Vec3{0.1, 0.45, 0.8},
-                                   Vec3{0.8, 0.1, 0.4},  Vec3{0.35, 0.65, 0.2}};
+/// Where a tile with free sides is cut, in units of its periods. Sides stay as they are in each; what is bad
+/// at those of one cut is mended in the next ones, whose sides run along edges that are good already.
+constexpr int cuts = 12;
+/// Spread evenly.
+Vec3 place_of_cut(int i) {
+  const auto along = [i](double step) { return 0.1 + 0.8 * std::fmod(0.5 + i * step, 1.0); };
+  return {along(0.8191725134), along(0.6710436067), along(0.5497004779)};
+}
+
+void freeze_sides(PeriodicDomain& domain) {
+  Mesh& root = domain.tree().mesh(NodeId::root);
+  DartBuffer copies;
+  for (Index v = 0; v < root.capacity(0); ++v) {
+    if (!root.is_live(0, v)) continue;
+    copies.clear();
+    domain.tree().to_child(domain.tile(), root.dart_of(0, v), 0, copies);
+    if (copies.size() > 1) root.set_locked(v, true);
+  }
+}
 
 void add(const RemeshResult& more, TileRemeshResult& sum) {
   RemeshResult now = more;
@@ -49,18 +63,25 @@ TileRemeshResult remesh_free(PeriodicDomain& domain, const RemeshOptions& option
   if (domain.report().cut_root_vertices > 0)
     throw InputError("the glued tile is not manifold: its sides cannot be free");
   TileRemeshResult result;
-  for (const Vec3& at : cuts) {
+  for (int i = 0; i < cuts; ++i) {
     const bool is_first = result.edges == 0;
-    RecutTile other(domain, at, is_first);
-    const Embedding embedding = other.domain().embedding(is_first ? TileSides::flat : TileSides::frozen);
+    RecutTile other(domain, place_of_cut(i), is_first);
+    freeze_sides(other.domain());
+    const Embedding embedding = other.domain().embedding();
     TileRemeshResult now = result;
     add(remesh(embedding, other.domain().tile(), options), now);
     now.dropped_listed += other.dropped();
     PeriodicDomain back = other.back();
+    // Moving rounds, which may invert the thinnest triangles.
+    if (std::max(other.domain().report().inverted_facets, back.report().inverted_facets) >
+        domain.report().inverted_facets)
+      continue;
     if (!is_first && least_angle(back) <= least_angle(domain)) continue;
     domain = std::move(back);
     result = now;
   }
+  if (result.edges == 0)
+    throw InputError("the tile has triangles too thin to be moved by a period: its sides cannot be free");
   return result;
 }
 

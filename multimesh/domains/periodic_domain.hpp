@@ -35,8 +35,8 @@ struct PeriodicTile {
   std::array<Listed, 3> listed{{{{0, 0, {}}, {}}, {{1, 0, {}}, {}}, {{2, 0, {}}, {}}}};  ///< by dimension
 };
 
-/// What a tile lists of one simplex of the root: the tags of its copies. A copy is named by the lattice vector
-/// that leads to it from the copy with the least one.
+/// What a tile lists of one simplex of the root: the tags of its copies. A copy is named by the lattice
+/// vector that leads to it from the copy with the least one.
 struct PeriodicLabel {
   struct Copy {
     LatticeVector at;
@@ -104,9 +104,9 @@ struct PeriodicReport {
   std::size_t split_edges = 0;   ///< edges of the root split by `refine`
   std::size_t added_facets = 0;  ///< by `refine`
   std::size_t cut_vertices = 0;  ///< vertices added to the tile because it is not manifold there
-  std::size_t cut_root_vertices = 0;  ///< the same for the root; copies of one vertex are locked
-  std::size_t reversed_facets = 0;    ///< reversed to agree with the others
-  std::size_t inverted_facets = 0;    ///< with negative or no volume, after that
+  std::size_t cut_root_vertices = 0;   ///< the same for the root; copies of one vertex are locked
+  std::size_t reversed_facets = 0;     ///< reversed to agree with the others
+  std::size_t inverted_facets = 0;     ///< with negative or no volume, after that
   std::array<bool, 3> dropped_axes{};  ///< without extent
   std::size_t missing_listed = 0;      ///< listed simplices that are not in the tile
 };
@@ -122,8 +122,8 @@ enum class TileSides : std::uint8_t {
 ///
 ///           root           the tile with its opposite sides glued (a torus, a cylinder, ...); no positions
 ///          /    \         .
-///       tile   listed      faces, edges and points that the tile lists, and interfaces between regions: children
-///       /   \             of the root, because they may lie in the sides
+///       tile   listed      faces, edges and points that the tile lists, and interfaces between regions:
+///       children /   \             of the root, because they may lie in the sides
 ///  surface  cuts           if asked for: the boundary of the material, and the sides that are glued
 ///
 /// The tile is as it came in; copies of a root vertex lie lattice vectors apart.
@@ -167,7 +167,8 @@ class PeriodicDomain {
   /// The tile with its positions, for algorithms on it and on meshes below it. A vertex moves with all its
   /// copies, and no facet may be inverted (triangles, as seen against the mean normal: unless some are at
   /// first). In a tile of triangles, side edges are curves: vertices of sides stay on them, and their ends do
-  /// not move. The root has no positions, nor have its other children. Must not outlive the domain. Cost: linear
+  /// not move. The root has no positions, nor have its other children. Must not outlive the domain. Cost:
+  /// linear
   Embedding embedding(TileSides sides = TileSides::flat);
 
   /// For the tile as built: the facet and the vertex of the input; no_index for vertices of `refine`.

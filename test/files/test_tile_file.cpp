@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic tiles: the file declares what is glued.
-#include "multimesh/files/tile_file.hpp"
-
 #include <cstdio>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "multimesh/files/tile_file.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 #include "test/files/folder.hpp"
@@ -97,8 +96,8 @@ PeriodicTile listing_cube() {
     if (lies_at(face, 2, 0.5)) list(face, tile.points[*face.begin()][0] < 0.5 ? 30 : 31);
   }
   for (Index k = 0; k < 4; ++k) {
-    list({k, k + 1}, 40);                          // along z at x = y = 0
-    list({k + 5 * 4, k + 1 + 5 * 4}, 41);          // its copy at y = 1; those at x = 1 are not listed
+    list({k, k + 1}, 40);                  // along z at x = y = 0
+    list({k + 5 * 4, k + 1 + 5 * 4}, 41);  // its copy at y = 1; those at x = 1 are not listed
   }
   list({2 * 25 + 2 * 5 + 1}, 50);
   return tile;

@@ -195,8 +195,9 @@ TEST(ImproveTile, InAStormKeepsRegionsAndOrientation) {
   for (const TileSides sides : {TileSides::flat, TileSides::free}) {
     PeriodicOptions options = test::along(true, true, true);
     options.periods = {{{1. / 3, 0, -1. / 11}, {1. / 7, 1 / 1.7, 0}, {0, 0, 1 / 0.9}}};
+    options.interfaces = true;
     PeriodicDomain domain(tile_with_block(), options);
-    ASSERT_TRUE(domain.add_interfaces());
+    ASSERT_TRUE(domain.listed(2));
     const auto volumes = [&] {
       std::array<double, 3> sum{};
       const Mesh& mesh = domain.tree().mesh(domain.tile());
@@ -227,36 +228,6 @@ TEST(ImproveTile, InAStormKeepsRegionsAndOrientation) {
     for (const improvement::Kind k :
          {improvement::Kind::split, improvement::Kind::collapse, improvement::Kind::smoothing})
       EXPECT_GT(done[static_cast<std::size_t>(k)], 10U);
-  }
-}
-
-// At the other copies of its vertices in the side, nothing is seen of it.
-TEST(ImproveTile, HoldsAnInterfaceThatTouchesASideFromWithin) {
-  for (unsigned seed = 1; seed <= 6; ++seed) {
-    PeriodicTile tile = crooked_tile(seed);
-    std::size_t touching = 0;
-    for (std::size_t t = 0; t < tile.facets.size(); ++t) {
-      const auto at_side = std::ranges::count_if(
-          tile.facets.facet(t), [&](Index v) { return tile.points[v][0] == 0; });
-      const bool is_part = at_side == 1 && t % 3 == 0;
-      touching += is_part;
-      tile.regions.push_back(is_part ? 2 : 1);
-    }
-    ASSERT_GT(touching, 5U);
-    PeriodicOptions options = test::along(true, true, true);
-    options.interfaces = true;
-    PeriodicDomain domain(tile, options);
-    const auto volume = [&] {
-      double sum = 0;
-      const Mesh& mesh = domain.tree().mesh(domain.tile());
-      for (Index t = 0; t < mesh.capacity(3); ++t)
-        if (mesh.is_live(3, t) && domain.region(t) == 2) sum += signed_measure(domain, t, {});
-      return sum;
-    };
-    const double before = volume();
-    const Embedding embedding = domain.embedding(TileSides::free);
-    (void)improve(embedding, domain.tile(), {.target_amips = 4});
-    EXPECT_NEAR(volume(), before, 1e-12) << seed;
   }
 }
 

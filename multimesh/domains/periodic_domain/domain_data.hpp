@@ -124,7 +124,7 @@ struct PeriodicDomain::Data {
   NodeId tile = NodeId::root;
   std::optional<NodeId> cuts;
   std::array<ListedMesh, 3> listed;  // by dimension
-  bool interfaces = false;            // are kept
+  bool interfaces = false;           // are kept
   double corner_angle = 0;
   std::vector<PeriodicLabel> labels;  // the first one is that of simplices that are not listed
   std::optional<VertexAttribute<Vec3>> positions;

@@ -26,9 +26,7 @@ class MovedTile {
   std::vector<Copy> copies_of(Dart simplex, int k) const;
 
  private:
-  LatticeVector offset(Dart d) const {
-    return domain_.offsets()[tile_.vertex(d)] + by_[tile_.facet(d)];
-  }
+  LatticeVector offset(Dart d) const { return domain_.offsets()[tile_.vertex(d)] + by_[tile_.facet(d)]; }
   Index root_vertex(Dart d) const { return root_.vertex(domain_.tree().to_parent(domain_.tile(), d)); }
   Index number(Dart d) const;
   void find_keys();

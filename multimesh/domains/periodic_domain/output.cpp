@@ -105,7 +105,8 @@ std::vector<PeriodicCopy> PeriodicDomain::copies() const {
     for (const Dart c : in_tile) vertices.push_back(mesh.vertex(c));
     std::ranges::sort(vertices);  // and so are their numbers
     for (std::size_t i = 1; i < vertices.size(); ++i)
-      out.push_back({number[vertices[i]], number[vertices[0]], offsets()[vertices[i]] - offsets()[vertices[0]]});
+      out.push_back(
+          {number[vertices[i]], number[vertices[0]], offsets()[vertices[i]] - offsets()[vertices[0]]});
   }
   return out;
 }

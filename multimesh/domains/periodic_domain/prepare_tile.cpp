@@ -31,7 +31,8 @@ void check_lists(const PeriodicTile& in) {
       throw InputError("the lists of a tile have a tag per simplex, of dimensions 0, 1 and 2");
     if (list.size() > 0 && list.dimension >= facets.dimension)
       throw InputError("a tile lists simplices of lower dimensions than its facets");
-    require_corners(list, [](std::size_t s) { return "listed simplex " + std::to_string(s) + " of the tile"; });
+    require_corners(list,
+                    [](std::size_t s) { return "listed simplex " + std::to_string(s) + " of the tile"; });
   }
   for (const Index v : facets.corners)
     if (!std::ranges::all_of(in.points[v], [](double x) { return std::isfinite(x); }))
@@ -52,10 +53,10 @@ Lattice lattice_of(const PeriodicOptions& options, const Vec3& extents, double t
   }
   if (std::none_of(axes.begin(), axes.end(), [](bool on) { return on; })) {
     const auto flat = std::ranges::find(dropped, true);
-    throw InputError(flat == dropped.end() ? "the tile has no periodic axis"
-                                           : std::string("the tile has no extent along ") +
-                                                 "xyz"[flat - dropped.begin()] +
-                                                 ": that axis is not periodic");
+    throw InputError(flat == dropped.end()
+                         ? "the tile has no periodic axis"
+                         : std::string("the tile has no extent along ") + "xyz"[flat - dropped.begin()] +
+                               ": that axis is not periodic");
   }
   return Lattice(axes, periods);
 }

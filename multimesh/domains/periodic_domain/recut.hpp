@@ -16,8 +16,8 @@ namespace multimesh {
 ///      +---+---+        +---+---+
 // clang-format on
 ///
-/// Moving rounds coordinates once, by an ulp of the tile's size. \pre the root did not have to be cut where it
-/// is not manifold
+/// Moving rounds coordinates once, by an ulp of the tile's size. \pre the root did not have to be cut where
+/// it is not manifold
 class RecutTile {
  public:
   /// Facets whose middle lies less than `at` from the least corner of the tile, in units of the periods, are

@@ -24,9 +24,9 @@ TileFile read_tile(const std::filesystem::path& path);
 /// read_tile(), of a file that has been read.
 TileFile to_tile(DomainFile file);
 
-/// Asks for other periods than the file's: along these axes, and these vectors if given. Sides are then matched
-/// by place. If no vectors are given and the file declares the same axes, but for those without extent, its
-/// pairs are used.
+/// Asks for other periods than the file's: along these axes, and these vectors if given. Sides are then
+/// matched by place. If no vectors are given and the file declares the same axes, but for those without
+/// extent, its pairs are used.
 void set_periods(TileFile& file, const std::array<bool, 3>& axes,
                  const std::optional<std::array<std::array<double, 3>, 3>>& periods);
 
@@ -39,13 +39,14 @@ std::vector<std::string> write_tile(const std::filesystem::path& path, const Per
                                     const DomainGroups& groups = {},
                                     const io::SimplexWriteOptions& options = {});
 
-// The copies of its vertices for solvers, by their numbers in a file that write_tile() writes, from 1 on. Each
-// has one master, that of the lowest number; no vertex is slave and master. \throw InputError
-/// CSV with the columns slave,master,kx,ky,kz: the lattice vector from master to slave. The period vectors are
-/// in comments.
+// The copies of its vertices for solvers, by their numbers in a file that write_tile() writes, from 1 on.
+// Each has one master, that of the lowest number; no vertex is slave and master. \throw InputError
+/// CSV with the columns slave,master,kx,ky,kz: the lattice vector from master to slave. The period vectors
+/// are in comments.
 void write_pair_table(const std::filesystem::path& path, const PeriodicDomain& domain);
-/// Equations of Abaqus and CalculiX, one per pair and degree of freedom: the displacement of the slave is that
-/// of the master, plus those of the reference nodes of the periods between them. These nodes are defined in
+/// Equations of Abaqus and CalculiX, one per pair and degree of freedom: the displacement of the slave is
+/// that of the master, plus those of the reference nodes of the periods between them. These nodes are defined
+/// in
 void write_abaqus_equations(const std::filesystem::path& path, const PeriodicDomain& domain);
 
 }  // namespace multimesh::files
