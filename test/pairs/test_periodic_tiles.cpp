@@ -66,7 +66,7 @@ double least_angle(const PeriodicTile& tile) {
 TEST(RemeshTile, WithFreeSidesIsBetterThanWithFlatAndFrozenOnes) {
   std::map<TileSides, double> angle;
   for (const TileSides sides : {TileSides::frozen, TileSides::flat, TileSides::free}) {
-    PeriodicDomain domain(shaken(square_tile(12, 5), 0.05), along(true, true, false));
+    PeriodicDomain domain(shaken(square_tile(12, 5), 0.02), along(true, true, false));
     std::size_t frozen = 0;
     for (const PeriodicSide& side : domain.sides()) frozen += side.master.size();
     TileRemeshOptions options;

@@ -80,7 +80,8 @@ void PeriodicStorm::step() {
     if (root.capacity(root.dimension()) > 4 * live_ + 1000) domain_.tree().compact();
   }
   const auto nodes = tree.nodes();
-  const NodeId n = nodes[random_() % nodes.size()];
+  NodeId n = nodes[random_() % nodes.size()];
+  if (tree.mesh(n).dimension() == 0) n = NodeId::root;  // points have no edges
   const Dart d = random_dart(n);
   auto choice = static_cast<unsigned>(random_() % 100);
   if (live_ > 2 * facets_at_start_) choice = 35 + choice / 2;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "multimesh/files/tile_file.hpp"
 #include "multimesh/validate.hpp"
@@ -99,6 +100,38 @@ TEST_P(PeriodicOutput, IsGluedAgainInMemory) {
   PeriodicStorm storm(domain, 7, true);
   for (int i = 0; i < 500; ++i) storm.step();
   expect_same(domain, PeriodicDomain(domain.tile_lists(), domain.gluing()));
+}
+
+// Some faces, edges and points of the tile, wherever they are; each copy has its own tag.
+TEST_P(PeriodicOutput, HasWhatIsListedAfterAStorm) {
+  RecutTorus input = torus(13);
+  std::mt19937 random(13);
+  std::array<std::set<std::set<Index>>, 3> listed;
+  for (std::size_t f = 0; f < input.tile.facets.size(); ++f) {
+    const auto corners = input.tile.facets.facet(f);
+    const auto k = random() % (corners.size() - 1);
+    const std::set<Index> simplex(corners.begin(), corners.begin() + static_cast<long>(k) + 1);
+    if (random() % 3 || !listed[k].insert(simplex).second) continue;
+    auto& list = input.tile.listed[k];
+    list.simplices.corners.insert(list.simplices.corners.end(), simplex.begin(), simplex.end());
+    list.tags.push_back(static_cast<PeriodicTile::Region>(random() % 5));
+  }
+  PeriodicDomain domain(input.tile, input.options);
+  EXPECT_EQ(domain.report().missing_listed, 0U);
+  PeriodicStorm storm(domain, 5, true);
+  for (int i = 0; i < 500; ++i) storm.step();
+  EXPECT_EQ(storm.fault(), "");
+  const PeriodicTile now = domain.tile_lists();
+  const PeriodicDomain again(now, domain.gluing());
+  EXPECT_EQ(again.report().missing_listed, 0U);
+  const auto tags = [](const PeriodicTile& tile, std::size_t k) {
+    return std::set(tile.listed[k].tags.begin(), tile.listed[k].tags.end());
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(tags(now, k), tags(input.tile, k)) << k;
+    EXPECT_EQ(again.tile_lists().listed[k].tags.size(), now.listed[k].tags.size()) << k;
+  }
+  EXPECT_EQ(now.listed[0].tags.size(), input.tile.listed[0].tags.size());
 }
 
 TEST_P(PeriodicOutput, TellsWhereFacetsAndVerticesComeFrom) {
