@@ -195,15 +195,15 @@ void run_on_tile(const ImproveArguments& a, RunReport& report) {
   if (envelope > 0) options.confined = in_envelope(domain, envelope);
   const TileTopology before = topology_of(domain);
   const Json tile_before = tools::to_json(domain);
+  Json tile_after;
   const ImproveResult r =
       io::naming(a.input, [&] { return improve(domain.embedding(sides), domain.tile(), options); });
   const double sizes = envelope > 0 ? options.keep_volume : 1e-9;
-  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), sizes, a.periodic),
+  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), sizes, a.periodic, tile_after),
       file.warnings);
   for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
   report.json() = to_json(a, r);
-  report.json()["periodic"] = {
-      {"sides", name_of(sides)}, {"before", tile_before}, {"after", tools::to_json(domain)}};
+  report.json()["periodic"] = {{"sides", name_of(sides)}, {"before", tile_before}, {"after", tile_after}};
   if (!report.is_printed()) print(a, r);
   report.finish(file.warnings);
 }

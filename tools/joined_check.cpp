@@ -63,9 +63,9 @@ std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output,
 }
 
 std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output, const TileTopology& before,
-                                            const PeriodicDomain& domain, const files::DomainGroups& groups,
+                                            const PeriodicDomain& domain, const PeriodicDomain& again,
+                                            const files::DomainGroups& groups,
                                             const io::SimplexWriteOptions& options, double sizes) {
-  const PeriodicDomain again(domain.tile_lists(), domain.gluing());  // what a reader of the file will make
   return write_or_keep_aside(
       output, differences(before, topology_of(again), sizes),
       [&](const std::filesystem::path& path) { return files::write_tile(path, domain, groups, options); });

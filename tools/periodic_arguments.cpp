@@ -142,8 +142,10 @@ void check_tile_outputs(const std::string& input, const std::string& output, con
 std::vector<std::string> write_tile_outputs(const std::string& output, const TileTopology& before,
                                             const PeriodicDomain& domain, const files::TileFile& file,
                                             const io::SimplexWriteOptions& options, double sizes,
-                                            const PeriodicArguments& a) {
-  auto warnings = write_if_same_mesh(output, before, domain, file.groups, options, sizes);
+                                            const PeriodicArguments& a, Json& after) {
+  const PeriodicDomain again(domain.tile_lists(), domain.gluing());
+  auto warnings = write_if_same_mesh(output, before, domain, again, file.groups, options, sizes);
+  after = to_json(again);
   if (!a.pair_table.empty()) files::write_pair_table(a.pair_table, domain);
   if (!a.equations.empty()) files::write_abaqus_equations(a.equations, domain);
   return warnings;
@@ -156,8 +158,7 @@ std::vector<std::string> dropped_from_sides(std::size_t n) {
           "are free"};
 }
 
-Json to_json(const PeriodicDomain& domain) {
-  const PeriodicDomain now(domain.tile_lists(), domain.gluing());
+Json to_json(const PeriodicDomain& now) {
   const PeriodicReport& r = now.report();
   Json j;
   j["periods"] = Json::object();

@@ -63,16 +63,18 @@ void remesh_tile(RemeshArguments& a, RunReport& report) {
   const TileRemeshOptions options{a.options, requested_sides(a.periodic).value_or(usual)};
   const TileTopology before = topology_of(domain);
   const Json tile_before = to_json(domain);
+  Json tile_after;
   const TileRemeshResult r = io::naming(a.input, [&] { return remesh(domain, options); });
   warn_of_lengths(a, r, file.warnings);
   warn_of_areas(before, topology_of(domain), file.warnings);
   add(dropped_from_sides(r.dropped_listed), file.warnings);
   constexpr double any = std::numeric_limits<double>::infinity();
-  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), any, a.periodic), file.warnings);
+  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), any, a.periodic, tile_after),
+      file.warnings);
   report.json() = to_json(a, r);
   report.json()["options"]["feature_angle_degrees"] = a.periodic.corner_angle;
   report.json()["periodic"] = {
-      {"sides", name_of(options.sides)}, {"before", tile_before}, {"after", to_json(domain)}};
+      {"sides", name_of(options.sides)}, {"before", tile_before}, {"after", tile_after}};
   report.finish(file.warnings, a.quiet);
   if (a.quiet) return;
   std::cerr << file.tile.facets.size() << " faces -> " << domain.tile_lists().facets.size() << " in "

@@ -125,6 +125,7 @@ class Lister {
     return data_.region(tile_.facet(copies_.front()));
   }
   void find_interfaces() {
+    if (std::ranges::adjacent_find(data_.regions, std::ranges::not_equal_to{}) == data_.regions.end()) return;
     const int k = root_.dimension() - 1;
     DartBuffer cofacets;
     for (Index s = 0; s < root_.capacity(k); ++s) {
