@@ -7,10 +7,10 @@
 #include <random>
 
 #include "multimesh/algorithms/decimate.hpp"
-#include "multimesh/geometry/near_triangles.hpp"
-#include "multimesh/geometry/witnesses.hpp"
 #include "multimesh/geometry/bounding_box.hpp"
 #include "multimesh/geometry/closest_point.hpp"
+#include "multimesh/geometry/near_triangles.hpp"
+#include "multimesh/geometry/witnesses.hpp"
 #include "multimesh/validate.hpp"
 #include "test/algorithms/decimate_cost_name.hpp"
 #include "test/algorithms/made_surface.hpp"
