@@ -31,6 +31,8 @@ class Attribute {
   std::size_t slots(const Mesh& mesh) const {
     return dimension_ == corners ? mesh.corner_capacity() : mesh.capacity(dimension_);
   }
+  /// Whether finish() looks which of two values a collapse keeps (SimplexChange::second_wins).
+  virtual bool needs_kept() const { return true; }
   /// Called once per copy and operation, root first, after the connectivity of all meshes has changed.
   virtual void update(Operation operation, const VertexChange& change) = 0;
   /// Called once per operation, after all updates: for values on simplices other than vertices (corners,

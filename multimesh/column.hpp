@@ -39,16 +39,18 @@ struct ColumnRules {
   std::function<T(const T& a, const T& b, double t)> between{};
   /// The value of a new edge that is not a half of another.
   T fresh = initial_value<T>();
+  /// Whether `merge` gives the same whichever of the two values is kept: then that is not found out.
+  bool symmetric = false;
 
   /// Flags: the merged simplex has those of both.
   static ColumnRules unite() {
-    return {.merge = [](const T& x, const T& y, double) { return T(x | y); }};
+    return {.merge = [](const T& x, const T& y, double) { return T(x | y); }, .symmetric = true};
   }
   static ColumnRules larger() {
-    return {.merge = [](const T& x, const T& y, double) { return std::max(x, y); }};
+    return {.merge = [](const T& x, const T& y, double) { return std::max(x, y); }, .symmetric = true};
   }
   static ColumnRules smaller() {
-    return {.merge = [](const T& x, const T& y, double) { return std::min(x, y); }};
+    return {.merge = [](const T& x, const T& y, double) { return std::min(x, y); }, .symmetric = true};
   }
   /// Values of the end nearer to the merged vertex count more; likewise for the corners of a new vertex.
   static ColumnRules interpolate() { return {.merge = interpolated<T>, .between = interpolated<T>}; }
@@ -65,6 +67,7 @@ class Column final : public ValueAttribute<T> {
     if (k == 0) throw UsageError("values on vertices are a VertexAttribute, not a Column");
   }
 
+  bool needs_kept() const override { return !rules_.symmetric; }
   void update(Operation, const VertexChange&) override {}
   void finish(const Event& event) override {
     if (this->dimension() == corners) return move_corners(event);

@@ -17,8 +17,10 @@ Dart beginning_with(const Mesh& mesh, Dart d, int position) {
   return mesh.reorder(d, first[static_cast<std::size_t>(position)]);
 }
 
+constexpr std::array<Index, 4> no_corners{no_index, no_index, no_index, no_index};
+
 std::array<Index, 4> corners_of(const Mesh& mesh, Dart d) {
-  std::array<Index, 4> all{no_index, no_index, no_index, no_index};
+  std::array<Index, 4> all = no_corners;
   if (mesh.corner(d) == no_index) return all;
   for (int i = 0; i <= mesh.dimension(); ++i)
     all[static_cast<std::size_t>(i)] = mesh.corner(beginning_with(mesh, d, i));
@@ -28,9 +30,12 @@ std::array<Index, 4> corners_of(const Mesh& mesh, Dart d) {
 }  // namespace
 
 // Records facets that will change, with the names of their corners.
-void Propagation::remember_facets(const Mesh& mesh, const DartBuffer& facets) {
+void Propagation::remember_facets(NodeId n, const DartBuffer& facets) {
+  const Mesh& mesh = tree_.mesh(n);
+  const bool has_corners = has_column(n, corners);
   old_facets_.clear();
-  for (const Dart t : facets) old_facets_.push_back({t, mesh.facet(t), corners_of(mesh, t)});
+  for (const Dart t : facets)
+    old_facets_.push_back({t, mesh.facet(t), has_corners ? corners_of(mesh, t) : no_corners});
 }
 
 void Propagation::note_corners(std::size_t i, const OldFacet& old, Dart now, int replaced) {
@@ -48,7 +53,7 @@ void Propagation::note_corners(std::size_t i, const OldFacet& old, Dart now, int
 void Propagation::note_whole(const Copy& c) {
   const Mesh& mesh = tree_.mesh(c.node);
   mesh.star(c.dart, 1, star_);
-  remember_facets(mesh, star_);
+  remember_facets(c.node, star_);
   old_edge_ = mesh.stores(1) ? mesh.simplex(c.dart, 1) : no_index;
 }
 
@@ -72,10 +77,12 @@ void Propagation::note_halves(std::size_t i) {
 
 // Before the collapse: the edges of a surface that will become one, and the facets whose corners move.
 void Propagation::note_merging(std::size_t i) {
-  const Mesh& mesh = tree_.mesh(copies_[i].node);
-  remember_facets(mesh, region_.renamed);
+  const NodeId n = copies_[i].node;
+  const Mesh& mesh = tree_.mesh(n);
+  old_facets_.clear();
+  if (has_column(n, corners)) remember_facets(n, region_.renamed);
   merging_edges_.clear();
-  if (mesh.dimension() != 2 || taking_back_) return;
+  if (mesh.dimension() != 2 || taking_back_ || !has_column(n, 1)) return;
   for (const Dart t : region_.dead) {
     const Dart at_b = mesh.reorder(t, edge_bx);
     const Index x = mesh.vertex(beginning_with(mesh, t, 2));
@@ -100,7 +107,7 @@ void Propagation::note_merged(std::size_t i) {
 void Propagation::note_flipping(const Copy& c) {
   const Mesh& mesh = tree_.mesh(c.node);
   mesh.star(c.dart, 1, star_);  // (a,b,l), (a,b,r)
-  remember_facets(mesh, star_);
+  remember_facets(c.node, star_);
 }
 
 void Propagation::note_flipped(std::size_t i) {
@@ -140,7 +147,7 @@ void Propagation::note_winners(std::size_t i, double t) {
     const auto below = tree_.descendants(c.node);
     const bool may_win =
         std::any_of(below.begin(), below.end(), [&](NodeId m) { return tree_.mesh(m).dimension() == k; });
-    if (!may_win || !(has_columns_ || mesh.has_values(k))) continue;
+    if (!may_win || !(must_find_kept(c.node, k) || mesh.has_values(k))) continue;
     mesh.star(c.dart, 1, star_);
     for (const Dart facet : star_)
       for (const Permutation p : faces_around(d, k + 1, 1)) {

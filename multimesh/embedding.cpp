@@ -17,8 +17,8 @@ std::vector<Attribute*> EmbeddedMesh::inherited() const {
   return all;
 }
 
-bool EmbeddedMesh::is_only_seam(NodeId curves, Index edge) const {
-  for (const auto& [node, is_only_seam] : embedding_.seams_)
+bool Embedding::is_only_seam(NodeId curves, Index edge) const {
+  for (const auto& [node, is_only_seam] : seams_)
     if (node == curves) return is_only_seam(edge);
   return false;
 }

@@ -57,6 +57,8 @@ class Embedding {
   void mark_seams(NodeId curves, std::function<bool(Index edge)> is_only_seam) {
     seams_.emplace_back(curves, std::move(is_only_seam));
   }
+  bool is_only_seam(NodeId curves, Index edge) const;
+  bool is_chart(NodeId n) const { return find(n, Kind::chart) != nullptr; }
 
   // --- what no operation may change
   /// No facet of the mesh of these coordinates may turn over, see KeepsOrientation.
@@ -112,8 +114,7 @@ class EmbeddedMesh {
   std::vector<Attribute*> inherited() const;
   /// The charts of the meshes of this dimension below it.
   std::span<Coordinates* const> charts() const noexcept { return charts_; }
-  /// Whether an edge of a mesh of curves exists only because charts are cut open along it.
-  bool is_only_seam(NodeId curves, Index edge) const;
+  const Embedding& embedding() const noexcept { return embedding_; }
 
  private:
   const Embedding& embedding_;

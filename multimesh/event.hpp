@@ -34,7 +34,7 @@ struct SimplexChange {
   Index first, second = no_index;
   Index whole = no_index;  ///< halved: which of the two has the value
   /// Merged: the values of `second` take precedence over those of `first`, because `second` lies in a mesh of
-  /// dimension k below and `first` does not.
+  /// dimension k below and `first` does not. Found only for Attribute::needs_kept.
   bool second_wins = false;
   double share = 0;  ///< merged: the part of `second` in the simplex, 0 .. 1
 };

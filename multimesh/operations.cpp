@@ -18,7 +18,11 @@ Propagation& Propagation::add(Attribute& a) {
     throw UsageError("mesh " + std::to_string(index(a.node())) + " stores no values of this dimension");
   a.require_size(a.slots(mesh));
   attributes_.push_back(&a);
-  has_columns_ |= a.dimension() != 0;
+  if (a.dimension() != 0) {
+    if (columns_.size() <= index(a.node())) columns_.resize(index(a.node()) + 1);
+    columns_[index(a.node())].all |= column_bit(a.dimension());
+    if (a.needs_kept()) columns_[index(a.node())].need_kept |= column_bit(a.dimension());
+  }
   return *this;
 }
 
@@ -98,7 +102,7 @@ Refusal Propagation::ask(bool (Invariant::*when)(const Event&), const Event& eve
 
 void Propagation::update_attributes(const Event& event) {
   const bool all_may_grow = event.operation == Operation::split || protect_properties_;
-  const bool edges_may_grow = has_columns_ && event.operation == Operation::flip;
+  const bool edges_may_grow = !columns_.empty() && event.operation == Operation::flip;
   if (all_may_grow || edges_may_grow)
     for (Attribute* a : attributes_)
       if (tree_.contains(a->node())) a->grow(a->slots(tree_.mesh(a->node())));
@@ -157,10 +161,10 @@ Outcome Propagation::swap(NodeId n, Dart e) {
     Copy& c = copies_.all()[i];
     Mesh& mesh = tree_.mesh(c.node);
     const Dart old = c.dart, outer = mesh.reorder(old, permutation(0, 2, 1));  // (a,l,.): its code stays
-    if (has_columns_) note_flipping(c);
+    if (has_columns(c.node)) note_flipping(c);
     mesh.flip_edge(old);
     c.dart = mesh.reorder(outer, permutation(1, 2, 0));  // (l,r,a)
-    if (has_columns_) note_flipped(i);
+    if (has_columns(c.node)) note_flipped(i);
   }
   for (const auto& [node, anchor] : reanchored_) {
     const Index facet = tree_.mesh(node).facet(anchor.own);

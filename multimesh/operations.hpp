@@ -189,7 +189,8 @@ class Propagation {
   void collect_moved_by_split(const Copy& c);
   void write_halves(std::size_t i);
 
-  // Changes reported to columns, and which values win in a collapse (column_changes.cpp).
+  // Changes reported to columns, and which values win in a collapse (column_changes.cpp). Only those are
+  // noted for which there is a column.
   struct OldFacet {
     Dart dart;
     Index facet;
@@ -200,7 +201,19 @@ class Propagation {
     Index at_a, at_b;
     bool a_wins;
   };
-  void remember_facets(const Mesh& mesh, const DartBuffer& facets);
+  struct ColumnKinds {  // which kinds of simplex have a column
+    std::uint8_t all = 0, need_kept = 0;
+  };
+  static constexpr std::uint8_t column_bit(int k) { return static_cast<std::uint8_t>(1U << (k + 1)); }
+  bool has_columns(NodeId n) const { return index(n) < columns_.size() && columns_[index(n)].all != 0; }
+  /// `k`: a dimension, or `corners`.
+  bool has_column(NodeId n, int k) const {
+    return index(n) < columns_.size() && (columns_[index(n)].all & column_bit(k)) != 0;
+  }
+  bool must_find_kept(NodeId n, int k) const {
+    return index(n) < columns_.size() && (columns_[index(n)].need_kept & column_bit(k)) != 0;
+  }
+  void remember_facets(NodeId n, const DartBuffer& facets);
   void note_corners(std::size_t i, const OldFacet& old, Dart now, int replaced);
   void note_whole(const Copy& c);
   void note_halves(std::size_t i);
@@ -244,7 +257,7 @@ class Propagation {
   std::vector<CollapseRecord> collapses_;
   std::vector<Merging> mergings_;
   bool taking_back_ = false;  // the collapse removes a vertex that a split of the same operation inserted
-  bool has_columns_ = false;
+  std::vector<ColumnKinds> columns_;  // by node
   // Changes of simplices and corners; only if there are columns.
   Changes done_;
   std::vector<OldFacet> old_facets_;

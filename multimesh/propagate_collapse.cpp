@@ -124,14 +124,14 @@ bool Propagation::collapse_copy(std::size_t i) {
 
   mesh.collapse_region(e, region_);
   if (mesh.dimension() > 1) mesh.merge_values(e, mergings_[i]);
-  if (has_columns_) note_merging(i);
+  if (has_columns(n)) note_merging(i);
   if (n != NodeId::root) unlink_dead(n);
   moved_.clear();
   collect_moved_by_collapse(n);
 
   CollapseRecord& record = collapses_[i];
   mesh.collapse_edge(e, record);
-  if (has_columns_) note_merged(i);
+  if (has_columns(n)) note_merged(i);
   if (i > copies_.first(n)) rename_winners(i);
   for (const Moved& m : moved_) {
     Mesh& below = tree_.mesh(m.child);

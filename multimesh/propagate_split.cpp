@@ -49,7 +49,7 @@ void Propagation::split_copy(std::size_t i) {
   Mesh& mesh = tree_.mesh(c.node);
   moved_.clear();
   collect_moved_by_split(c);
-  if (has_columns_) {
+  if (has_columns(c.node)) {
     note_whole(c);
     mesh.split_edge(c.dart, splits_[i]);
     note_halves(i);

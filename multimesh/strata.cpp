@@ -13,7 +13,10 @@ Strata::Strata(const MultiMesh& tree, NodeId node) : tree_(tree), node_(node), m
 }
 
 Strata::Strata(const Embedding& embedding, NodeId node) : Strata(embedding.tree(), node) {
+  embedding_ = &embedding;
   kept_ = &embedding.kept();
+  for (const NodeId n : tree_.descendants(node_))
+    if (embedding.is_chart(n) && tree_.mesh(n).dimension() == mesh_.dimension()) charts_.push_back(n);
 }
 
 // A mesh below one of its own dimension has nothing that that one has not.
@@ -41,9 +44,77 @@ EdgeKind Strata::kind(Dart e) const {
     // A seam may be interior in its mesh: where two sheets have the edge.
     for (const Copy& c : here)
       if (mesh.dimension() == 1 || here.size() > 1 || mesh.is_boundary(c.dart, 1))
-        kind.meshes_.push_back(index(n));
+        add(kind, c, here.size() > 1);
   }
   return kind;
+}
+
+void Strata::add(EdgeKind& kind, const Copy& c, bool several) const {
+  kind.meshes_.push_back(index(c.node));
+  const Mesh& mesh = tree_.mesh(c.node);
+  if (mesh.dimension() == 1) {
+    kind.has_shape_ |= !(embedding_ && embedding_->is_only_seam(c.node, mesh.facet(c.dart)));
+  } else {
+    const bool is_cut_chart = several && std::ranges::find(charts_, c.node) != charts_.end();
+    kind.is_seam_ |= is_cut_chart;
+    kind.has_shape_ |= !is_cut_chart;
+  }
+}
+
+// At the root these are the images of what has curves: a look at every edge costs far more.
+std::vector<Index> Strata::curves() const {
+  std::vector<Index> numbers(mesh_.capacity(1), 0);
+  if (node_ != NodeId::root) {
+    for (Index e = 0; e < mesh_.capacity(1); ++e)
+      if (mesh_.is_live(1, e)) numbers[e] = !is_plain(mesh_.dart_of(1, e));
+    return numbers;
+  }
+  for (const NodeId n : tree_.nodes()) {
+    const Mesh& mesh = tree_.mesh(n);
+    for (Index e = 0; mesh.dimension() > 0 && e < mesh.capacity(1); ++e) {
+      if (!mesh.is_live(1, e)) continue;
+      const Dart d = mesh.dart_of(1, e);
+      if (mesh.dimension() == 1 || mesh.is_boundary(d, 1)) numbers[mesh_.simplex(tree_.to_root(n, d), 1)] = 1;
+    }
+  }
+  return numbers;
+}
+
+// Per vertex: false only if it is free, as a look at its star would show.
+std::vector<bool> Strata::may_be_bound() const {
+  std::vector<bool> may(mesh_.capacity(0), node_ != NodeId::root);
+  if (node_ != NodeId::root) return may;
+  const std::vector<Index> found = numbers_ ? std::vector<Index>{} : curves();
+  const std::vector<Index>& numbers = numbers_ ? *numbers_ : found;
+  for (Index e = 0; e < numbers.size(); ++e) {
+    if (numbers[e] == 0) continue;
+    const Dart d = mesh_.dart_of(1, e);
+    may[mesh_.vertex(d)] = may[mesh_.vertex(mesh_.reorder(d, exchange_ends))] = true;
+  }
+  for (const NodeId n : tree_.nodes()) {
+    const Mesh& mesh = tree_.mesh(n);
+    for (Index v = 0; v < mesh.capacity(0); ++v)
+      if (mesh.is_live(0, v) && (mesh.dimension() == 0 || mesh.is_locked(v)) && mesh.dart_of(0, v) != no_dart)
+        may[mesh_.vertex(tree_.to_root(n, mesh.dart_of(0, v)))] = true;
+  }
+  return may;
+}
+
+std::vector<Freedom> Strata::freedoms() const {
+  std::vector<Freedom> all(mesh_.capacity(0), Freedom::surface);
+  const std::vector<bool> may = may_be_bound();
+  for (Index v = 0; v < all.size(); ++v)
+    if (const Dart d = may[v] && mesh_.is_live(0, v) ? mesh_.dart_of(0, v) : no_dart; d != no_dart)
+      all[v] = freedom(d);
+  return all;
+}
+
+void Strata::sheets(Dart e, DartBuffer& out) const {
+  out.assign(1, e);
+  if (node_ == NodeId::root) return;
+  copies_.collect(tree_, node_, e, 1);
+  for (const Copy& c : copies_.of(node_))
+    if (!mesh_.same_simplex(c.dart, e, 1)) out.push_back(c.dart);
 }
 
 Freedom Strata::freedom(Dart vertex, std::array<Dart, 2>& line) const {
@@ -164,6 +235,16 @@ bool Strata::stays(NodeId n, Index facet) const {
   if (n != node_ && is_fixed_mesh(n)) return true;
   return may_facets_stay() &&
          std::ranges::any_of(kept_->facets, [&](const SimplicesStay* s) { return s->stays(n, facet); });
+}
+
+bool Strata::facets_stay_at(Dart vertex) const {
+  if (!may_facets_stay()) return false;
+  copies_.collect(tree_, node_, vertex, 0);
+  return std::ranges::any_of(copies_.all(), [&](const Copy& c) {
+    const Mesh& mesh = tree_.mesh(c.node);
+    mesh.star(c.dart, 0, star_);
+    return std::ranges::any_of(star_, [&](Dart f) { return stays(c.node, mesh.facet(f)); });
+  });
 }
 
 bool Strata::has_preimages_beside(Dart d, int k) const {

@@ -18,11 +18,16 @@ class Embedding;
 class EdgeKind {
  public:
   bool is_plain() const noexcept { return meshes_.empty(); }
-  friend bool operator==(const EdgeKind&, const EdgeKind&) = default;
+  /// Whether a chart of the embedding is cut open there.
+  bool is_seam() const noexcept { return is_seam_; }
+  /// Whether it is a curve only because charts are cut open there: its place in space matters less.
+  bool is_only_seam() const noexcept { return !is_plain() && !has_shape_; }
+  friend bool operator==(const EdgeKind& x, const EdgeKind& y) { return x.meshes_ == y.meshes_; }
 
  private:
   friend class Strata;
   std::vector<std::uint32_t> meshes_;  // by node; once per copy
+  bool is_seam_ = false, has_shape_ = false;
 };
 
 /// Where a vertex of a surface may move.
@@ -54,6 +59,8 @@ class Strata {
   /// Trusts the caller's numbers from now on: an edge with number 0 is plain, and its copies are not
   /// examined. `numbers`: per edge of the surface.
   void trust(const std::vector<Index>& numbers) noexcept { numbers_ = &numbers; }
+  /// Numbers to trust: 0 for plain edges, 1 for others. Cost: linear; at the root, less than to ask of each
+  std::vector<Index> curves() const;
   /// The kind of the edge of (a, b, ..). Cost: that of its copies
   EdgeKind kind(Dart e) const;
   bool is_plain(Dart e) const { return kind(e).is_plain(); }
@@ -67,6 +74,11 @@ class Strata {
     std::array<Dart, 2> line{};
     return freedom(vertex, line);
   }
+  /// Of all vertices, dead ones included. Cost: linear; at the root, less than to ask of each
+  std::vector<Freedom> freedoms() const;
+  /// All edges of this mesh that are the same in the root, e first, beginning with the same end: where sheets
+  /// meet, each has its own.
+  void sheets(Dart e, DartBuffer& out) const;
 
   // --- of any mesh
   /// Whether the vertex keeps its place in this mesh or the root.
@@ -87,6 +99,9 @@ class Strata {
   bool facet_stays(Index f) const { return may_facets_stay() && stays(node_, f); }
   /// False if no facet does.
   bool may_facets_stay() const { return kept_ && !kept_->facets.empty(); }
+  /// Whether a facet at the vertex stays, in any mesh: then the vertex keeps its place and those facets.
+  /// Cost: the stars of its copies
+  bool facets_stay_at(Dart vertex) const;
   bool wall_stays(Dart f) const;
   bool edge_stays(Dart e) const;
 
@@ -105,6 +120,8 @@ class Strata {
 
  private:
   bool runs_through(Dart vertex, const EdgeKind& kind) const;
+  void add(EdgeKind& kind, const Copy& c, bool several) const;
+  std::vector<bool> may_be_bound() const;
   void classify_meshes();
   bool is_fixed_mesh(NodeId n) const;
   bool stays(NodeId n, Index facet) const;
@@ -127,13 +144,15 @@ class Strata {
   const MultiMesh& tree_;
   NodeId node_;
   const Mesh& mesh_;
+  const Embedding* embedding_ = nullptr;
   const Kept* kept_ = nullptr;
+  std::vector<NodeId> charts_;
   std::array<std::vector<NodeId>, 3> below_, elsewhere_;  // by dimension: children, and others
   std::vector<NodeId> fixed_;
   std::vector<std::uint8_t> strata_;  // by vertex; empty: not tabulated
   const std::vector<Index>* numbers_ = nullptr;
   mutable Copies copies_;
-  mutable DartBuffer edges_;
+  mutable DartBuffer edges_, star_;
 };
 
 }  // namespace multimesh

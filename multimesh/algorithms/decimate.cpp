@@ -73,7 +73,7 @@ class Decimator {
   DecimateResult result_;
   Counts refused_;
 
-  Strata strata_;
+  Ranks ranks_;
   TriangleReader reader_;
   double diagonal_;
   CollapseCost cost_;
@@ -92,10 +92,10 @@ Decimator::Decimator(EmbeddedMesh& surface, const DecimateOptions& options)
       options_(options),
       mesh_(surface.mesh()),
       operations_(surface.operations()),
-      strata_(surface, options),
-      reader_(surface, strata_),
+      ranks_(surface, options),
+      reader_(surface, ranks_),
       diagonal_(reader_.diagonal()),
-      cost_(options, strata_, reader_),
+      cost_(options, ranks_, reader_),
       star_(reader_),
       places_(surface, plan_),
       held_("place of a held end", [this](const Event&) { return place_is_held_; }) {
@@ -135,7 +135,7 @@ const PlacementTest* Decimator::failed_test(const CollapsePlan& plan) {
 // Where the best place fails a test, points on the edge may pass it.
 const PlacementTest* Decimator::choose_place(Dart e) {
   const PlacementTest* failed = failed_test(plan_);
-  if (!failed || strata_.rank(plan_.a) != strata_.rank(plan_.b)) return failed;
+  if (!failed || ranks_.rank(plan_.a) != ranks_.rank(plan_.b)) return failed;
   std::array<CollapsePlan, 3> others{cost_.plan_at(e, 0.5), cost_.plan_at(e, 0), cost_.plan_at(e, 1)};
   std::stable_sort(others.begin(), others.end(),
                    [](const auto& x, const auto& y) { return x.cost < y.cost; });
@@ -182,8 +182,8 @@ Outcome Decimator::collapse(Dart e) {
 }
 
 bool Decimator::moves_locked(const CollapsePlan& plan) const {
-  return (plan.moves(End::a) && strata_.rank(plan.a) == Rank::locked) ||
-         (plan.moves(End::b) && strata_.rank(plan.b) == Rank::locked);
+  return (plan.moves(End::a) && ranks_.rank(plan.a) == Rank::locked) ||
+         (plan.moves(End::b) && ranks_.rank(plan.b) == Rank::locked);
 }
 
 void Decimator::collapsed(const Outcome& outcome) {
@@ -215,7 +215,8 @@ std::string Decimator::what_keeps(Dart e) {
   const Refusal illegal = operations_.judge(surface_.node(), e).refusal;
   if (illegal.refused()) return name_of(illegal);
   if (!cost_.plan(e, plan_)) plan_ = cost_.plan_at(e, 0);
-  if (strata_.rank(plan_.a) == Rank::locked && strata_.rank(plan_.b) == Rank::locked)
+  if (ranks_.rank(plan_.a) == Rank::locked && ranks_.rank(plan_.b) == Rank::locked &&
+      !ranks_.strata().facets_stay_at(e))
     return name_of({Check::placement, surface_.node(), {}});
   places_.round(plan_);
   star_.read(e);
@@ -237,7 +238,8 @@ void Decimator::explain() {
 /// loops took.
 double Decimator::run_rounds() {
   PriorityScheduler scheduler(operations_, surface_.node());
-  const std::vector<Attribute*> carried = surface_.inherited();
+  std::vector<Attribute*> carried = surface_.inherited();
+  for (Attribute* column : ranks_.columns()) carried.push_back(column);
   double seconds = 0;
   for (bool first = true;; first = false) {
     const std::size_t before = faces_;

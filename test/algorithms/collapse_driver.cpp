@@ -14,9 +14,9 @@ CollapseDriver::CollapseDriver(TexturedSurface& surface, const DecimateOptions& 
       root_(surface.tree().mesh(NodeId::root)),
       embedding_(surface.embedding()),
       mesh_(embedding_, NodeId::root),
-      strata_(mesh_, options_),
-      reader_(mesh_, strata_),
-      cost_(options_, strata_, reader_),
+      ranks_(mesh_, options_),
+      reader_(mesh_, ranks_),
+      cost_(options_, ranks_, reader_),
       star_(reader_),
       places_(mesh_, plan_),
       held_("held place", [this](const Event&) { return held_place_allowed_; }) {

@@ -31,7 +31,7 @@ class CollapseDriver {
   Dart merged() const { return merged_; }
   const Mesh& root() const { return root_; }
   const decimation::CollapseCost& cost() const { return cost_; }
-  const decimation::Strata& strata() const { return strata_; }
+  const decimation::Ranks& ranks() const { return ranks_; }
   const decimation::TriangleReader& reader() const { return reader_; }
   /// A test to be asked besides those of the driver; not owned.
   void add(decimation::PlacementTest& test) { more_tests_.push_back(&test); }
@@ -45,7 +45,7 @@ class CollapseDriver {
   const Mesh& root_;
   Embedding embedding_;
   EmbeddedMesh mesh_;
-  decimation::Strata strata_;
+  decimation::Ranks ranks_;
   decimation::TriangleReader reader_;
   decimation::CollapseCost cost_;
   decimation::PredictedStar star_;
@@ -63,13 +63,13 @@ struct FreshCost {
   FreshCost(TexturedSurface& surface, const DecimateOptions& options)
       : embedding(surface.embedding()),
         mesh(embedding, NodeId::root),
-        strata(mesh, options),
-        reader(mesh, strata),
-        cost(options, strata, reader) {}
+        ranks(mesh, options),
+        reader(mesh, ranks),
+        cost(options, ranks, reader) {}
 
   Embedding embedding;
   EmbeddedMesh mesh;
-  decimation::Strata strata;
+  decimation::Ranks ranks;
   decimation::TriangleReader reader;
   decimation::CollapseCost cost;
 };

@@ -83,7 +83,7 @@ class KeptSums : public ::testing::TestWithParam<CostCase> {
     const FreshCost fresh(surface, options);
     const CollapseCost& anew = fresh.cost;
     for (Index v = 0; v < root.capacity(0); ++v)
-      ASSERT_TRUE(!root.is_live(0, v) || driver.strata().rank(v) == fresh.strata.rank(v)) << "vertex " << v;
+      ASSERT_TRUE(!root.is_live(0, v) || driver.ranks().rank(v) == fresh.ranks.rank(v)) << "vertex " << v;
     compared = off = 0;
     for (const Dart e : edges_of(root)) {
       const auto kept = driver.cost().plan(e), made = anew.plan(e);

@@ -123,7 +123,7 @@ class Least : public ::testing::TestWithParam<CostCase> {
     for (const Dart e : edges_of(driver.root())) {
       const auto plan = anew.plan(e);
       if (!plan) continue;
-      if (driver.strata().rank(plan->a) == Rank::fixed && driver.strata().rank(plan->b) == Rank::fixed)
+      if (driver.ranks().rank(plan->a) == Rank::fixed && driver.ranks().rank(plan->b) == Rank::fixed)
         continue;  // never collapsed
       compare(e, *plan, driver, anew, random);
       if (HasFailure()) return;
@@ -139,7 +139,7 @@ class Least : public ::testing::TestWithParam<CostCase> {
     const double edge = (surface.positions()[plan.a] - surface.positions()[plan.b]).norm();
     const double here = definition.deviation(e, plan), unit = definition.trace() * edge * edge;
     ASSERT_NEAR(plan.cost, here, 1e-5 * here + 1e-12 * unit);
-    if (driver.strata().rank(plan.a) != driver.strata().rank(plan.b)) return;  // its place is given
+    if (driver.ranks().rank(plan.a) != driver.ranks().rank(plan.b)) return;  // its place is given
     for (const double t : {0.0, 0.4, 1.0}) {
       const CollapsePlan on_edge = anew.plan_at(e, t);
       const double there = definition.deviation(e, on_edge);

@@ -24,11 +24,11 @@ double power_of_two_near(double length) {
 
 }  // namespace
 
-CollapseCost::CollapseCost(const DecimateOptions& options, Strata& strata, const TriangleReader& reader)
+CollapseCost::CollapseCost(const DecimateOptions& options, const Ranks& ranks, const TriangleReader& reader)
     : options_(options),
       tree_(reader.tree()),
       mesh_(reader.mesh()),
-      strata_(strata),
+      ranks_(ranks),
       reader_(reader),
       positions_(reader.positions()),
       position_forms_(mesh_.capacity(0)) {
@@ -55,7 +55,7 @@ CollapseCost::CollapseCost(const DecimateOptions& options, Strata& strata, const
 // A vertex inside a chart has one copy, and so has an edge at it.
 void CollapseCost::find_copies(Dart e, CollapsePlan& plan) const {
   plan.n_copies = 0;
-  const bool inside = strata_.rank(plan.a) == Rank::free || strata_.rank(plan.b) == Rank::free;
+  const bool inside = ranks_.rank(plan.a) == Rank::free || ranks_.rank(plan.b) == Rank::free;
   for (std::size_t k = 0; k < sets_.size(); ++k) {
     const Index a = sets_[k].only_copy[plan.a], b = sets_[k].only_copy[plan.b];
     if (inside && a < several_copies && b < several_copies) {
@@ -74,11 +74,12 @@ void CollapseCost::find_copies(Dart e, CollapsePlan& plan) const {
   }
 }
 
-double CollapseCost::deviation(const CollapsePlan& plan) const {
+// One sheet is by far the most frequent case: a loop costs a tenth of the function.
+template <bool other_sheets>
+double CollapseCost::deviation_of(const CollapsePlan& plan) const {
   const Vec3 from_a = plan.position - plan.at_a, from_b = plan.position - plan.at_b;
   double sum = 0, area = 0;
-  for (std::size_t i = 0; i < plan.n_sheets(); ++i) {
-    const auto [a, b] = plan.sheet(i);
+  plan.for_each_sheet_if<other_sheets>([&](Index a, Index b) {
     if (!memory_.empty()) {
       const double u = memory_unit_.length;
       sum += (memory_[a](from_a * u) + memory_[b](from_b * u)) * memory_unit_.per_4th;
@@ -86,7 +87,7 @@ double CollapseCost::deviation(const CollapsePlan& plan) const {
     if (plan.moves(End::a)) sum += position_forms_[a](from_a);
     if (plan.moves(End::b)) sum += position_forms_[b](from_b);
     area += position_forms_[a].trace() + position_forms_[b].trace();
-  }
+  });
   for (const CollapsePlan::Copy& c : plan.copies()) {
     const auto& texcoords = sets_[c.set].texcoords;
     if (plan.moves(End::a)) sum += sets_[c.set].forms[c.a](from_a, c.texcoord - texcoords[c.a]);
@@ -96,7 +97,7 @@ double CollapseCost::deviation(const CollapsePlan& plan) const {
 }
 
 void CollapseCost::find_sheets(Dart e, CollapsePlan& plan) const {
-  strata_.sheets(e, plan.a, plan.b, sheets_);
+  ranks_.sheets(e, plan.a, plan.b, sheets_);
   plan.other_sheets.clear();
   for (std::size_t i = 1; i < sheets_.size(); ++i)
     plan.other_sheets.push_back(
@@ -108,7 +109,7 @@ void CollapseCost::start(Dart e, CollapsePlan& plan) const {
   mesh_.vertices(e, v.data());
   plan.a = v[0];
   plan.b = v[1];
-  if (strata_.has_sheets()) find_sheets(e, plan);
+  if (ranks_.has_sheets()) find_sheets(e, plan);
   plan.at_a = positions_[plan.a];
   plan.at_b = positions_[plan.b];
 }
@@ -140,8 +141,8 @@ std::optional<CollapsePlan> CollapseCost::plan(Dart e) const {
 
 bool CollapseCost::plan(Dart e, CollapsePlan& plan) const {
   start(e, plan);
-  if (!strata_.may_collapse(e, plan.a, plan.b)) return false;
-  const Rank a = strata_.rank(plan.a), b = strata_.rank(plan.b);
+  if (!ranks_.may_collapse(e, plan.a, plan.b)) return false;
+  const Rank a = ranks_.rank(plan.a), b = ranks_.rank(plan.b);
   if (a != b) {
     put_at(e, a > b ? 0 : 1, plan);
   } else if (options_.cost == DecimateCost::length) {
@@ -158,28 +159,40 @@ bool CollapseCost::plan(Dart e, CollapsePlan& plan) const {
   return true;
 }
 
-// With x and y the displacements from the middle of the edge, in space and in each copy, the deviation is
-// x'Ax + 2 f.x + sum over copies (2 x'My + y'Sy + 2 g.y) and a constant. Texture coordinates are eliminated
-// copy by copy: the best ones are linear in x.
-void CollapseCost::minimize(CollapsePlan& plan) const {
-  const Vec3 half = (plan.at_b - plan.at_a) * 0.5;
+/// x'Ax + 2 f.x + a constant.
+struct CollapseCost::Quadratic {
   PositionForm A;
-  Vec3 f(0, 0, 0);
-  double area = 0;
-  for (std::size_t i = 0; i < plan.n_sheets(); ++i) {
-    const auto [a, b] = plan.sheet(i);
+  Vec3 f{};
+  double area = 0;  ///< the trace of A without memory
+};
+
+// With x the displacement from the middle of the edge, but for the textures.
+template <bool other_sheets>
+CollapseCost::Quadratic CollapseCost::quadratic(const CollapsePlan& plan, const Vec3& half) const {
+  Quadratic q;
+  plan.for_each_sheet_if<other_sheets>([&](Index a, Index b) {
     const PositionForm &form_a = position_forms_[a], &form_b = position_forms_[b];
     const PositionForm sum = form_a + form_b;
-    A.add(sum, 1);
-    f += (form_a - form_b).times(half);
-    area += sum.trace();
-    if (memory_.empty()) continue;
+    q.A.add(sum, 1);
+    q.f += (form_a - form_b).times(half);
+    q.area += sum.trace();
+    if (memory_.empty()) return;
     const PlanesForm &in_a = memory_[a], &in_b = memory_[b];
     const PositionForm quadratic_a = in_a.quadratic(), quadratic_b = in_b.quadratic();
-    A.add(quadratic_a + quadratic_b, memory_unit_.per_square);
-    f += ((quadratic_a - quadratic_b).times(half * memory_unit_.length) + in_a.linear() + in_b.linear()) *
-         memory_unit_.per_cube;
-  }
+    q.A.add(quadratic_a + quadratic_b, memory_unit_.per_square);
+    q.f += ((quadratic_a - quadratic_b).times(half * memory_unit_.length) + in_a.linear() + in_b.linear()) *
+           memory_unit_.per_cube;
+  });
+  return q;
+}
+
+// With y the displacements in each copy, the deviation is x'Ax + 2 f.x + sum over copies
+// (2 x'My + y'Sy + 2 g.y) and a constant. Texture coordinates are eliminated copy by copy: the best ones are
+// linear in x.
+template <bool other_sheets>
+void CollapseCost::minimize_over(CollapsePlan& plan) const {
+  const Vec3 half = (plan.at_b - plan.at_a) * 0.5;
+  auto [A, f, area] = quadratic<other_sheets>(plan, half);
   const double pull = pull_to_middle * area;
   A.add(PositionForm::point(pull), 1);
 
@@ -229,7 +242,11 @@ void CollapseCost::minimize(CollapsePlan& plan) const {
                                : texcoords[copy.a] * (1 - plan.t) + texcoords[copy.b] * plan.t;
   }
   // Not from the solution, whose roundings can be far larger.
-  plan.cost = deviation(plan);
+  plan.cost = deviation_of<other_sheets>(plan);
+}
+
+void CollapseCost::minimize(CollapsePlan& plan) const {
+  plan.other_sheets.empty() ? minimize_over<false>(plan) : minimize_over<true>(plan);
 }
 
 }  // namespace multimesh::decimation

@@ -26,7 +26,7 @@ namespace multimesh::decimation {
 class CollapseCost {
  public:
   /// Cost: linear.
-  CollapseCost(const DecimateOptions& options, Strata& strata, const TriangleReader& reader);
+  CollapseCost(const DecimateOptions& options, const Ranks& ranks, const TriangleReader& reader);
 
   /// The best plan; nothing if the ranks of the ends show that no collapse of this edge is legal.
   std::optional<CollapsePlan> plan(Dart e) const;
@@ -46,7 +46,16 @@ class CollapseCost {
   void put_at(Dart e, double t, CollapsePlan& plan) const;
   void find_copies(Dart e, CollapsePlan& plan) const;
   void find_sheets(Dart e, CollapsePlan& plan) const;
-  double deviation(const CollapsePlan& plan) const;
+  struct Quadratic;
+  double deviation(const CollapsePlan& plan) const {
+    return plan.other_sheets.empty() ? deviation_of<false>(plan) : deviation_of<true>(plan);
+  }
+  template <bool other_sheets>
+  double deviation_of(const CollapsePlan& plan) const;
+  template <bool other_sheets>
+  inline Quadratic quadratic(const CollapsePlan& plan, const Vec3& half) const;
+  template <bool other_sheets>
+  void minimize_over(CollapsePlan& plan) const;
   void minimize(CollapsePlan& plan) const;
   void add(const SurfaceTriangle& t, double sign);
   void add_curves(const SurfaceTriangle& t, const Shape& shape, double sign);
@@ -57,7 +66,7 @@ class CollapseCost {
   const DecimateOptions& options_;
   const MultiMesh& tree_;
   const Mesh& mesh_;
-  Strata& strata_;
+  const Ranks& ranks_;
   const TriangleReader& reader_;
   const std::vector<Vec3>& positions_;
   std::vector<PositionForm> position_forms_;  ///< per vertex of the surface

@@ -140,35 +140,27 @@ void inherit_curves(const PredictedStar& star, End end, SurfaceTriangle& t) {
 /// Which vertex corner 0 of a face is after the collapse.
 Index merged_vertex(const CollapsePlan& plan, const PredictedStar::Face& f, End kept) {
   Index merged = f.before.vertices[0];
-  for (std::size_t i = 0; i < plan.n_sheets(); ++i) {
-    const auto [a, b] = plan.sheet(i);
+  plan.for_each_sheet([&](Index a, Index b) {
     if (f.before.vertices[0] == (f.end == End::a ? a : b)) merged = kept == End::a ? a : b;
-  }
+  });
   return merged;
 }
 
 }  // namespace
 
 void CollapseCost::collapsed(const PredictedStar& star, const CollapsePlan& plan, End kept) {
-  const auto merge = [&](auto one) {  // of a vertex that stays and one that goes, in each sheet
-    for (std::size_t i = 0; i < plan.n_sheets(); ++i) {
-      const auto [a, b] = plan.sheet(i);
-      kept == End::a ? one(a, b) : one(b, a);
-    }
-  };
-  const auto faces = star.faces();
-  const bool renew =
-      std::any_of(faces.begin(), faces.end(), [](const auto& f) { return f.dies && f.before.has_curves; });
-  merge([&](Index stays, Index goes) { strata_.merge(stays, goes, renew); });
   if (options_.cost != DecimateCost::quadric) return;
   replace_triangles(star, plan, kept);
   if (memory_.empty()) return;
-  merge([&](Index stays, Index goes) {
-    const bool a_stays = kept == End::a;
-    memory_[a_stays ? stays : goes].move((plan.position - plan.at_a) * memory_unit_.length);
-    memory_[a_stays ? goes : stays].move((plan.position - plan.at_b) * memory_unit_.length);
+  const Vec3 from_a = (plan.position - plan.at_a) * memory_unit_.length;
+  const Vec3 from_b = (plan.position - plan.at_b) * memory_unit_.length;
+  plan.for_each_sheet([&](Index a, Index b) {
+    memory_[a].move(from_a);
+    memory_[b].move(from_b);
   });
-  merge([&](Index stays, Index goes) { memory_[stays].merge(memory_[goes]); });
+  plan.for_each_sheet([&](Index a, Index b) {
+    kept == End::a ? memory_[a].merge(memory_[b]) : memory_[b].merge(memory_[a]);
+  });
 }
 
 void CollapseCost::replace_triangles(const PredictedStar& star, const CollapsePlan& plan, End kept) {
@@ -178,10 +170,9 @@ void CollapseCost::replace_triangles(const PredictedStar& star, const CollapsePl
       std::any_of(faces.begin(), faces.end(), [](const auto& f) { return f.before.has_curves; });
   for (const PredictedStar::Face& f : faces)
     if (f.changes || curves) add(f.before, -1);
-  for (std::size_t i = 0; i < plan.n_sheets(); ++i) {
-    const auto [a, b] = plan.sheet(i);
+  plan.for_each_sheet([&](Index a, Index b) {
     position_forms_[kept == End::a ? a : b].add(position_forms_[kept == End::a ? b : a], 1);
-  }
+  });
   for (const CollapsePlan::Copy& c : plan.copies()) {
     auto& forms = sets_[c.set].forms;
     forms[kept == End::a ? c.a : c.b].add(forms[kept == End::a ? c.b : c.a], 1);

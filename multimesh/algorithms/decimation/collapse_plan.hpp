@@ -48,6 +48,13 @@ struct CollapsePlan {
     f(a, b);
     for (const Ends& ends : other_sheets) f(ends.a, ends.b);
   }
+  /// The same, where the caller knows whether there are others than the first.
+  template <bool others, class F>
+  void for_each_sheet_if(F f) const {
+    f(a, b);
+    if constexpr (others)
+      for (const Ends& ends : other_sheets) f(ends.a, ends.b);
+  }
   std::size_t n_sheets() const { return 1 + other_sheets.size(); }
   Ends sheet(std::size_t i) const { return i == 0 ? Ends{a, b} : other_sheets[i - 1]; }
   /// Whether the merged vertex has another place than this end.

@@ -5,7 +5,7 @@
 
 namespace multimesh::decimation {
 
-PredictedStar::Face& PredictedStar::next_face() {
+inline PredictedStar::Face& PredictedStar::next_face() {
   if (n_faces_ == faces_.size()) faces_.emplace_back();
   return faces_[n_faces_++];
 }
@@ -14,7 +14,7 @@ void PredictedStar::read(Dart e) {
   n_faces_ = 0;
   const Dart far = mesh_.reorder(e, exchange_ends);
   sheets_.assign(1, e);
-  if (reader_.strata().has_sheets()) reader_.strata().sheets(e, mesh_.vertex(e), mesh_.vertex(far), sheets_);
+  if (reader_.ranks().has_sheets()) reader_.ranks().sheets(e, mesh_.vertex(e), mesh_.vertex(far), sheets_);
   ends_.clear();
   for (const Dart sheet : sheets_) {
     ends_.push_back({mesh_.vertex(sheet), mesh_.vertex(mesh_.reorder(sheet, exchange_ends))});
@@ -40,10 +40,12 @@ bool PredictedStar::was_read(Index vertex, std::size_t sheets, End which) const 
                      [&](const auto& ends) { return vertex == (which == End::a ? ends.a : ends.b); });
 }
 
-// Those over an edge have been read first.
-bool PredictedStar::is_dying(Index facet) const {
-  return std::any_of(faces_.begin(), faces_.begin() + static_cast<std::ptrdiff_t>(n_dying_),
-                     [&](const Face& f) { return f.before.facet == facet; });
+// Those over an edge have been read first: seldom more than two.
+inline bool PredictedStar::is_dying(Index facet) const {
+  for (std::size_t i = 2; i < n_dying_; ++i)
+    if (faces_[i].before.facet == facet) return true;
+  return (n_dying_ > 0 && faces_[0].before.facet == facet) ||
+         (n_dying_ > 1 && faces_[1].before.facet == facet);
 }
 
 void PredictedStar::read_end(Dart end, End which, const Vec3& from_first) {

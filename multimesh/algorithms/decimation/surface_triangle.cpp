@@ -19,9 +19,9 @@ double diagonal_of(const Mesh& mesh, const std::vector<Vec3>& positions) {
 
 }  // namespace
 
-TriangleReader::TriangleReader(EmbeddedMesh& surface, const Strata& strata)
+TriangleReader::TriangleReader(EmbeddedMesh& surface, const Ranks& ranks)
     : surface_(surface),
-      strata_(strata),
+      ranks_(ranks),
       mesh_(surface.mesh()),
       list_(surface.positions(), surface.mesh(), surface.operations()),
       positions_(list_.values()),
@@ -85,12 +85,12 @@ void TriangleReader::read(Dart d, SurfaceTriangle& t) const {
 // Most triangles have at most one vertex on a curve, and so no edge.
 void TriangleReader::read_curves(Dart d, const std::array<Dart, max_sets>& copies, SurfaceTriangle& t) const {
   t.has_curves = false;
-  const auto bound = [&](std::size_t i) { return strata_.rank(t.vertices[i]) != Rank::free; };
+  const auto bound = [&](std::size_t i) { return ranks_.rank(t.vertices[i]) != Rank::free; };
   if (bound(0) + bound(1) + bound(2) < 2) return;
   static constexpr std::array<Permutation, 3> edges{Permutation{}, edge_bx, permutation(2, 0, 1)};
   for (std::size_t i = 0; i < 3; ++i) {
     const bool candidate = bound(i) && bound((i + 1) % 3);
-    t.curve_weights[i] = candidate ? strata_.weight(mesh_.reorder(d, edges[i])) : 0;
+    t.curve_weights[i] = candidate ? ranks_.weight(mesh_.reorder(d, edges[i])) : 0;
     t.has_curves |= t.curve_weights[i] > 0;
     for (std::size_t k = 0; k < n_sets(); ++k) {
       if (t.sets[k].facet == no_index) continue;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "multimesh/algorithms/decimation/collapse_plan.hpp"
-#include "multimesh/algorithms/decimation/strata.hpp"
+#include "multimesh/algorithms/decimation/ranks.hpp"
 
 namespace multimesh::decimation {
 
@@ -40,11 +40,11 @@ inline void clear_curves(SurfaceTriangle& t) {
 class TriangleReader {
  public:
   /// \throw InputError if it has more than max_sets charts
-  TriangleReader(EmbeddedMesh& surface, const Strata& strata);
+  TriangleReader(EmbeddedMesh& surface, const Ranks& ranks);
 
   const MultiMesh& tree() const noexcept { return surface_.tree(); }
   const Mesh& mesh() const noexcept { return mesh_; }
-  const Strata& strata() const noexcept { return strata_; }
+  const Ranks& ranks() const noexcept { return ranks_; }
   std::array<Vec3, 3> positions(Dart d) const;
   const std::vector<Vec3>& positions() const noexcept { return positions_; }
   std::size_t n_sets() const noexcept { return textures_.size(); }
@@ -68,7 +68,7 @@ class TriangleReader {
   void read_curves(Dart d, const std::array<Dart, max_sets>& copies, SurfaceTriangle& triangle) const;
 
   EmbeddedMesh& surface_;
-  const Strata& strata_;
+  const Ranks& ranks_;
   const Mesh& mesh_;
   CoordinateList<Vec3> list_;
   const std::vector<Vec3>& positions_;
