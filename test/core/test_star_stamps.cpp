@@ -40,7 +40,7 @@ TEST(StarStamps, AreEqualExactlyIfTheStarsAreThroughNestedTrials) {
   const std::function<void(int)> act = [&](int depth) {
     for (int i = 0; i < 20; ++i) {
       std::vector<Index> changed(random() % 4);
-      for (Index& v : changed) names[v = random() % n] = ++last;
+      for (Index& v : changed) names[v = static_cast<Index>(random() % n)] = ++last;
       stamps.change(changed);
       compare();
       if (depth == 0 || random() % 4 != 0) continue;

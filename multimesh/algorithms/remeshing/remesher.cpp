@@ -19,7 +19,7 @@ constexpr int most_sweeps = 16;
 /// Vertices whose move is shorter than this, relative to the requested length, stay.
 constexpr double smallest_share = 0.004;
 /// Per index: of edges of the same length, as in a grid, the newer ones are split first. In grids, more edges
-/// come into range (0.76 instead of 0.66 of them in the worst one seen).
+/// come into range; why is not understood.
 constexpr double newer_first = 1e-13;
 /// Moves of all vertices per round.
 constexpr int smoothings = 2;
