@@ -15,6 +15,12 @@
 #include "test/periodic/tiles.hpp"
 
 namespace multimesh {
+
+static void PrintTo(TileSides sides, std::ostream* out) {
+  constexpr const char* names[] = {"Flat", "Free", "Frozen"};
+  *out << names[static_cast<std::size_t>(sides)];
+}
+
 namespace {
 
 bool is_in_the_hole(const PeriodicTile& tile, std::size_t t) {
@@ -133,8 +139,7 @@ TEST_P(ImproveTileSides, GetsBetterBelowItsTorusAndStaysPeriodic) {
 }
 
 std::string name_of(const testing::TestParamInfo<TileSides>& sides) {
-  constexpr const char* names[] = {"Flat", "Free", "Frozen"};
-  return names[static_cast<std::size_t>(sides.param)];
+  return testing::PrintToString(sides.param);
 }
 INSTANTIATE_TEST_SUITE_P(All, ImproveTileSides,
                          testing::Values(TileSides::flat, TileSides::free, TileSides::frozen), name_of);
