@@ -118,9 +118,8 @@ void StaysInEnvelope::read_facets(const Event& event, bool after, std::vector<Fa
   facets.clear();
   star_.clear();
   const auto add = [&](Dart d, int k) {
-    static thread_local DartBuffer one;
-    mesh_.star(d, k, one);
-    star_.insert(star_.end(), one.begin(), one.end());
+    mesh_.star(d, k, one_star_);
+    star_.insert(star_.end(), one_star_.begin(), one_star_.end());
   };
   for (const Copy& c : event.copies.of(node())) {
     const Dart other = event.operation == Operation::relocate ? c.dart : mesh_.reorder(c.dart, exchange_ends);

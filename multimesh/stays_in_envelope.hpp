@@ -79,7 +79,7 @@ class StaysInEnvelope final : public Invariant {
   std::vector<Facet> before_, after_;
   std::vector<Index> inputs_;
   std::vector<std::pair<Index, spatial::Witnesses::Set>> found_;
-  DartBuffer star_;
+  DartBuffer one_star_, star_;
   mutable DartBuffer images_;
 };
 

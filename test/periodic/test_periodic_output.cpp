@@ -20,16 +20,6 @@ PeriodicDomain read_again(const std::filesystem::path& path) {
   return PeriodicDomain(file.tile, file.options);
 }
 
-/// Area or volume by region; in a tile of triangles as seen along z.
-std::map<PeriodicTile::Region, double> sizes(const PeriodicDomain& domain) {
-  const Mesh& mesh = domain.tree().mesh(domain.tile());
-  std::map<PeriodicTile::Region, double> sizes;
-  for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
-    if (mesh.is_live(mesh.dimension(), f))
-      sizes[domain.region(f)] += std::abs(signed_measure(domain, f, Vec3(0, 0, 1)));
-  return sizes;
-}
-
 /// Whether each period of one lattice is a vector of the other one, and the other way round.
 void expect_same_lattice(const Lattice& a, const Lattice& b) {
   for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}})

@@ -14,15 +14,6 @@
 namespace multimesh::test {
 namespace {
 
-std::map<PeriodicTile::Region, double> sizes(const PeriodicDomain& domain) {
-  const Mesh& mesh = domain.tree().mesh(domain.tile());
-  std::map<PeriodicTile::Region, double> sizes;
-  for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
-    if (mesh.is_live(mesh.dimension(), f))
-      sizes[domain.region(f)] += std::abs(signed_measure(domain, f, Vec3(0, 0, 1)));
-  return sizes;
-}
-
 class CutElsewhere : public testing::TestWithParam<std::tuple<int, Recut>> {};
 
 TEST_P(CutElsewhere, IsTheSamePatternBeforeAndAfterOperations) {

@@ -101,4 +101,13 @@ double size(const PeriodicDomain& domain) {
   return sum;
 }
 
+std::map<PeriodicTile::Region, double> sizes(const PeriodicDomain& domain) {
+  const Mesh& mesh = domain.tree().mesh(domain.tile());
+  std::map<PeriodicTile::Region, double> sizes;
+  for (Index f = 0; f < mesh.capacity(mesh.dimension()); ++f)
+    if (mesh.is_live(mesh.dimension(), f))
+      sizes[domain.region(f)] += std::abs(signed_measure(domain, f, Vec3(0, 0, 1)));
+  return sizes;
+}
+
 }  // namespace multimesh::test

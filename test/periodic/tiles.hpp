@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
+
 #include "multimesh/domains/periodic_domain.hpp"
 
 namespace multimesh::test {
@@ -25,5 +27,7 @@ bool copies_fit(const PeriodicDomain& domain);
 std::size_t inverted(const PeriodicDomain& domain);
 /// Volume, or area as seen so.
 double size(const PeriodicDomain& domain);
+/// Area or volume by region; in a tile of triangles as seen along z.
+std::map<PeriodicTile::Region, double> sizes(const PeriodicDomain& domain);
 
 }  // namespace multimesh::test

@@ -52,13 +52,9 @@ LatticeVector Lattice::rounded(const Vec3& displacement) const {
 
 std::optional<LatticeVector> Lattice::nearest(const Vec3& displacement, double tolerance) const {
   const Vec3 c = coordinates(displacement);
-  LatticeVector v{};
-  for (int i = 0; i < 3; ++i) {
-    if (!is_periodic(i)) continue;
-    const auto axis = static_cast<std::size_t>(i);
-    if (!(std::abs(c[axis]) < 1e6)) return std::nullopt;
-    v[axis] = static_cast<int>(std::lround(c[axis]));
-  }
+  for (int i = 0; i < 3; ++i)
+    if (is_periodic(i) && !(std::abs(c[static_cast<std::size_t>(i)]) < 1e6)) return std::nullopt;
+  const LatticeVector v = rounded(displacement);
   if (!((shift(v) - displacement).norm() <= tolerance)) return std::nullopt;
   return v;
 }

@@ -46,7 +46,7 @@ std::vector<std::string> write_tile(const std::filesystem::path& path, const Per
 void write_pair_table(const std::filesystem::path& path, const PeriodicDomain& domain);
 /// Equations of Abaqus and CalculiX, one per pair and degree of freedom: the displacement of the slave is
 /// that of the master, plus those of the reference nodes of the periods between them. These nodes are defined
-/// in
+/// in the same file.
 void write_abaqus_equations(const std::filesystem::path& path, const PeriodicDomain& domain);
 
 }  // namespace multimesh::files
