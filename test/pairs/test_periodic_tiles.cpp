@@ -113,6 +113,45 @@ TEST(RemeshTile, KeepsCornersOfInterfacesThatCrossItsSides) {
   }
 }
 
+/// A disc, and a strip with straight sides beside it.
+PeriodicTile disc_and_strip(Index n) {
+  PeriodicTile tile = square_tile(n, n);
+  for (std::size_t f = 0; f < tile.facets.size(); ++f) {
+    Vec3 middle{};
+    for (const Index v : tile.facets.facet(f)) middle += Vec3(tile.points[v]) / 3;
+    const bool in_disc = std::hypot(middle[0] - 0.6, middle[1] - 0.5) < 0.28;
+    tile.regions.push_back(middle[0] < 0.25 ? 3 : in_disc ? 2 : 1);
+  }
+  return tile;
+}
+
+TEST(RemeshTile, GivesRegionsTheirAreasBackAndKeepsStraightInterfacesStraight) {
+  for (const TileSides sides : {TileSides::flat, TileSides::free, TileSides::frozen}) {
+    PeriodicOptions gluing = along(true, true, false);
+    gluing.interfaces = true;
+    PeriodicDomain domain(disc_and_strip(20), gluing);
+    const auto before = sizes(domain);
+    TileRemeshOptions options;
+    options.length = 0.12;  // more than twice that of the steps of the disc's outline
+    options.sides = sides;
+    (void)remesh(domain, options);
+    EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+    EXPECT_TRUE(copies_fit(domain));
+    EXPECT_EQ(inverted(domain), 0U);
+    for (const auto& [region, area] : sizes(domain)) EXPECT_NEAR(area, before.at(region), 1e-8) << region;
+    const Mesh& mesh = domain.tree().mesh(domain.tile());
+    for (Index e = 0; e < mesh.capacity(1); ++e) {
+      if (!mesh.is_live(1, e)) continue;
+      const Dart d = mesh.dart_of(1, e), beyond = mesh.switch_dart(d, 2);
+      if (beyond == no_dart) continue;
+      const auto one = domain.region(mesh.facet(d)), other = domain.region(mesh.facet(beyond));
+      if (std::max(one, other) != 3 || one == other) continue;
+      const double x = domain.positions()[mesh.vertex(d)][0];
+      EXPECT_LT(std::abs(x - std::round(x / 0.25) * 0.25), 1e-12);
+    }
+  }
+}
+
 TEST(RemeshTile, OfTetrahedraIsACallersMistake) {
   PeriodicDomain domain(cube_tile(4), along(true, true, true));
   TileRemeshOptions options;

@@ -48,7 +48,8 @@ Remesher::Remesher(EmbeddedMesh& surface, const RemeshOptions& options)
       strata_(tree_, node_),
       reference_(surface, strata_, patch_, line_),
       guard_(mesh_, positions_, reference_, nearness * options.length, spacing * options.length),
-      shape_(mesh_, positions_) {
+      shape_(mesh_, positions_),
+      sizes_(surface) {
   operations_.add(patch_column_).add(line_column_);
   strata_.trust(line_);
   lock_lines();
@@ -93,6 +94,7 @@ RemeshResult Remesher::run() {
     if (options_.between_rounds && round < options_.iterations) let_others_work(round);
   }
   raise_least_angles();
+  restore_sizes();
   count_edges();
   result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result_;

@@ -8,6 +8,7 @@
 
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/remeshing/distance_guard.hpp"
+#include "multimesh/algorithms/remeshing/part_sizes.hpp"
 #include "multimesh/algorithms/remeshing/plane_sides.hpp"
 #include "multimesh/algorithms/remeshing/reference.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
@@ -55,6 +56,8 @@ class Remesher {
   void swap_edges();
   void smooth();
   void raise_least_angles();
+  void restore_sizes();
+  std::vector<PartSizes::CurveVertex> bounds_of_parts();
 
   bool may_be_removed(Dart edge);
   Outcome collapse(Dart edge);
@@ -133,6 +136,7 @@ class Remesher {
   Reference reference_;
   DistanceGuard guard_;
   StarShape shape_;
+  PartSizes sizes_;
   mutable std::vector<PlaneSides> sides_below_;
   RemeshResult result_;
 
