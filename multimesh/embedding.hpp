@@ -58,6 +58,8 @@ class Embedding {
     seams_.emplace_back(curves, std::move(is_only_seam));
   }
   bool is_only_seam(NodeId curves, Index edge) const;
+  /// The coordinates in space that this mesh has of its own, or null.
+  Coordinates* positions(NodeId n) const { return find(n, Kind::space); }
   bool is_chart(NodeId n) const { return find(n, Kind::chart) != nullptr; }
 
   // --- what no operation may change

@@ -51,7 +51,10 @@ bool length_reached(const RemeshResult& result, double length);
 /// ones; special edges between two locked vertices are not split.
 ///
 /// At the end, positions are on the input's surface and curves, and charts below have the coordinates of the
-/// input at that point. No triangle reverses its normal; none of a chart flips or loses its area. The
+/// input at that point. If the embedding tells parts of the plane surface, or of the tetrahedra around it,
+/// and there are no charts, these parts then get their areas or volumes back (to 1e-9 of each, if possible):
+/// vertices on curves, or on the surface, leave the input where it bends, in steps of at most a twentieth of
+/// the length. No triangle reverses its normal; none of a chart flips or loses its area. The
 /// embedding adds further conditions.
 ///
 /// \throw UsageError if the mesh is not a surface or has no coordinates in space; InputError for options out

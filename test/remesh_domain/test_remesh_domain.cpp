@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/algorithms/remesh_domain.hpp"
 #include "multimesh/validate.hpp"
 #include "test/improve/made_domain.hpp"
@@ -61,6 +63,25 @@ TEST_P(RemeshBox, KeepsRegionsPatchesAndCurves) {
 }
 INSTANTIATE_TEST_SUITE_P(Lengths, RemeshBox, testing::Values(0.06, 0.12, 0.2),
                          [](const auto& i) { return "Percent" + std::to_string(int(100 * i.param + 0.5)); });
+
+TEST(RemeshDomain, GivesCurvedRegionsTheirVolumesBack) {
+  TaggedTetrahedra input = make_box({.n = 8, .sheet = false, .curve = false, .squash = 0.5}).input;
+  for (auto& [x, y, z] : input.points) {  // bent along all axes
+    x += 0.1 * std::sin(3 * y) * std::cos(2 * z);
+    y += 0.1 * std::sin(4 * z);
+    z += 0.08 * std::sin(5 * x);
+  }
+  TetDomain domain(input);
+  const DomainReport before = report(domain);
+  const DomainRemeshResult r = remesh(domain, with_length(0.2));
+  const DomainReport after = report(domain);
+  EXPECT_LT(after.surface->faces, before.surface->faces);
+  for (const auto& [region, of] : before.regions)
+    EXPECT_NEAR(after.regions.at(region).volume, of.volume, 1e-8 * of.volume) << region;
+  EXPECT_TRUE(all_positive(domain));
+  EXPECT_EQ(validate(domain.tree()), Problems{});
+  EXPECT_GT(r.surface.moves, 0U);
+}
 
 TEST(RemeshDomain, LockedPatchesKeepTheirTriangles) {
   const Box box = make_box({});

@@ -57,7 +57,9 @@ class Remesher {
   void smooth();
   void raise_least_angles();
   void restore_sizes();
-  std::vector<PartSizes::CurveVertex> bounds_of_parts();
+  std::vector<PartSizes::Step> steps_off_the_input();
+  Vec3 way_off_the_curve(Dart vertex, const std::array<Dart, 2>& line) const;
+  Vec3 way_off_the_surface(Dart vertex);
 
   bool may_be_removed(Dart edge);
   Outcome collapse(Dart edge);
