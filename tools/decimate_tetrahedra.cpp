@@ -63,7 +63,7 @@ void warn_of_target(const DecimateOptions& o, const DecimateResult& r, std::vect
 }
 
 void run(const DecimateArguments& a, files::DomainFile& file, RunReport& report) {
-  check_output_path(a.output, {a.input});
+  check_output_path(a.output, {a.input}, a.format);
   TetDomainOptions curves;
   if (a.feature_angle > 0) curves.feature_angle = a.feature_angle * std::numbers::pi / 180;
   TetDomain domain = files::take_domain(file, curves);

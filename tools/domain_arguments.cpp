@@ -23,6 +23,12 @@ void add_format_options(CLI::App& command, SimplexFormat& format, const std::str
   command.add_flag("--ascii", format.ascii, "text instead of binary, where the format has both")
       ->group(group);
   command.add_flag("--msh2", format.msh_2, "MSH 2.2 instead of 4.1")->group(group);
+  command
+      .add_option("--order", format.order,
+                  "2: elements of second order, with a node in the middle of each edge")
+      ->check(CLI::IsMember(std::vector<int>{1, 2}))
+      ->capture_default_str()
+      ->group(group);
 }
 
 }  // namespace multimesh::tools

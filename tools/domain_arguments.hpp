@@ -15,9 +15,11 @@ namespace multimesh::tools {
 /// How files of simplices are written.
 struct SimplexFormat {
   bool ascii = false, msh_2 = false;
+  int order = 1;
 
   io::SimplexWriteOptions options() const {
-    return {.msh_version = msh_2 ? io::MshVersion::v2_2 : io::MshVersion::v4_1, .binary = !ascii};
+    return {
+        .msh_version = msh_2 ? io::MshVersion::v2_2 : io::MshVersion::v4_1, .binary = !ascii, .order = order};
   }
 };
 
@@ -26,7 +28,7 @@ struct SimplexFormat {
 void add_weld_options(CLI::App& command, files::DomainReadOptions& options);
 /// --no-periodic.
 CLI::Option* add_periodic_option(CLI::App& command, bool& no_periodic);
-/// --ascii and --msh2.
+/// --ascii, --msh2 and --order.
 void add_format_options(CLI::App& command, SimplexFormat& format, const std::string& group = "Options");
 
 }  // namespace multimesh::tools

@@ -184,7 +184,7 @@ std::vector<Confinement> in_envelope(PeriodicDomain& domain, double distance) {
 }
 
 void run_on_tile(const ImproveArguments& a, RunReport& report) {
-  check_tile_outputs(a.input, a.output, a.periodic);
+  check_tile_outputs(a.input, a.output, a.format, a.periodic);
   auto [file, domain] = read_periodic(a.input, a.periodic);
   if (domain.tree().mesh(domain.tile()).dimension() != 3)
     throw InputError(a.input + ": has no tetrahedron; remesh --periodic is for tiles of triangles");
@@ -212,7 +212,7 @@ void run(ImproveArguments a, RunReport& report) {
   show_progress(a);
   a.set_splits();
   if (a.periodic.is_given()) return run_on_tile(a, report);
-  check_output_path(a.output, {a.input});
+  check_output_path(a.output, {a.input}, a.format);
   files::DomainFile file = files::read_domain(a.input, a.taken);
   a.options.locked_regions = files::tags_of_groups(file, 3, a.options.locked_regions, "--lock-region");
   TetDomainOptions options;

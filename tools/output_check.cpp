@@ -6,6 +6,7 @@
 #include "adapters/io/output_path.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/files/formats.hpp"
+#include "multimesh/io/simplex_writer.hpp"
 
 namespace multimesh::tools {
 
@@ -18,6 +19,12 @@ void check_output_path(const std::filesystem::path& output,
     if (path == std::filesystem::weakly_canonical(other, error))
       throw InputError(output.string() + ": would replace " + other.string() +
                        ", which this run reads or writes, too; choose another name");
+}
+
+void check_output_path(const std::filesystem::path& output, const std::vector<std::filesystem::path>& others,
+                       const SimplexFormat& format) {
+  check_output_path(output, others);
+  io::check_simplex_output(output, format.options());
 }
 
 void check_surface_output(const std::filesystem::path& output) {

@@ -130,8 +130,9 @@ const char* name_of(TileSides sides) {
   return side_names[static_cast<std::size_t>(sides)];
 }
 
-void check_tile_outputs(const std::string& input, const std::string& output, const PeriodicArguments& a) {
-  check_output_path(output, {input});
+void check_tile_outputs(const std::string& input, const std::string& output, const SimplexFormat& format,
+                        const PeriodicArguments& a) {
+  check_output_path(output, {input}, format);
   if (!a.pair_table.empty()) check_output_path(a.pair_table, {input, output});
   if (!a.equations.empty())
     check_output_path(a.equations, a.pair_table.empty()
@@ -146,8 +147,8 @@ std::vector<std::string> write_tile_outputs(const std::string& output, const Til
   const PeriodicDomain again(domain.tile_lists(), domain.gluing());
   auto warnings = write_if_same_mesh(output, before, domain, again, file.groups, options, sizes);
   after = to_json(again);
-  if (!a.pair_table.empty()) files::write_pair_table(a.pair_table, domain);
-  if (!a.equations.empty()) files::write_abaqus_equations(a.equations, domain);
+  if (!a.pair_table.empty()) files::write_pair_table(a.pair_table, domain, options.order);
+  if (!a.equations.empty()) files::write_abaqus_equations(a.equations, domain, options.order);
   return warnings;
 }
 

@@ -7,6 +7,7 @@
 
 #include "multimesh/algorithms/tile_topology.hpp"
 #include "multimesh/files/tile_file.hpp"
+#include "tools/domain_arguments.hpp"
 #include "tools/run_report.hpp"
 
 namespace CLI {
@@ -45,7 +46,8 @@ std::optional<TileSides> requested_sides(const PeriodicArguments& a);
 const char* name_of(TileSides sides);
 
 /// Checks the paths of all outputs. \throw InputError
-void check_tile_outputs(const std::string& input, const std::string& output, const PeriodicArguments& a);
+void check_tile_outputs(const std::string& input, const std::string& output, const SimplexFormat& format,
+                        const PeriodicArguments& a);
 
 /// Writes the tile as write_if_same_mesh() does, then the tables. `after`: describes what was written.
 std::vector<std::string> write_tile_outputs(const std::string& output, const TileTopology& before,

@@ -52,7 +52,7 @@ void warn_of_length(const PeriodicDomain& domain, double length, std::vector<std
 }  // namespace
 
 void remesh_tile(RemeshArguments& a, RunReport& report) {
-  check_tile_outputs(a.input, a.output, a.periodic);
+  check_tile_outputs(a.input, a.output, a.format, a.periodic);
   if (a.feature_angle > 0) a.periodic.corner_angle = a.feature_angle;
   auto [file, domain] = read_periodic(a.input, a.periodic);
   if (domain.tree().mesh(domain.tile()).dimension() != 2)

@@ -47,6 +47,7 @@ void OptionCheck::refuse_tetrahedra_options(const TetrahedraArguments& a) const 
   refuse(a.no_periodic, "--no-periodic");
   refuse(a.format.ascii, "--ascii");
   refuse(a.format.msh_2, "--msh2");
+  refuse(a.format.order != 1, "--order");
 }
 
 std::optional<files::DomainFile> read_tetrahedra(const std::string& input, const TetrahedraArguments& a,

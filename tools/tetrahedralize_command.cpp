@@ -97,7 +97,7 @@ HtmlMesh page_of(const files::DomainFile& file) {
 }
 
 void run(TetrahedralizeArguments& a, RunReport& report) {
-  check_output_path(a.output, {a.input});
+  check_output_path(a.output, {a.input}, a.format);
   const bool splits = a.split_surface || (!a.lock_surface && (a.length > 0 || a.relative_length > 0));
   a.taken.sides_stay = !splits;
   files::DomainFile file = files::read_domain(a.input, a.taken);

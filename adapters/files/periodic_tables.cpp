@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copies of vertices as tables for solvers.
+#include <algorithm>
+
 #include "adapters/io/output_buffer.hpp"
+#include "adapters/io/second_order.hpp"
 #include "multimesh/files/tile_file.hpp"
 
 namespace multimesh::files {
@@ -67,9 +70,58 @@ void put_reference_nodes(io::OutputBuffer& out, const PeriodicDomain& domain, st
   }
 }
 
+/// The nodes of a written tile, and which of them are copies.
+struct Nodes {
+  std::size_t count = 0;
+  std::vector<PeriodicCopy> copies;
+};
+
+/// The nodes in the middles of edges that are copies. Edges are copies of one another if their ends are: the
+/// glued tile has at most one edge between two vertices.
+std::vector<PeriodicCopy> copies_of_middles(const std::vector<std::array<Index, 2>>& edges,
+                                            const Nodes& nodes) {
+  std::vector<PeriodicCopy> of_vertex(nodes.count, {no_index, no_index, {}});
+  for (const PeriodicCopy& c : nodes.copies) of_vertex[c.slave] = c, of_vertex[c.master].master = c.master;
+  struct Middle {
+    std::array<Index, 2> ends;  // their masters
+    Index number;
+    LatticeVector shift;  // of the first end
+  };
+  std::vector<Middle> middles;
+  auto number = static_cast<Index>(nodes.count);
+  for (const auto& [a, b] : edges) {
+    const PeriodicCopy *one = &of_vertex[a], *other = &of_vertex[b];
+    if (other->master < one->master) std::swap(one, other);
+    if (other->master != no_index) middles.push_back({{one->master, other->master}, number, one->shift});
+    ++number;
+  }
+  std::ranges::stable_sort(middles, {}, &Middle::ends);
+  std::vector<PeriodicCopy> copies;
+  for (std::size_t i = 1, first = 0; i < middles.size(); ++i)
+    if (middles[i].ends != middles[first].ends)
+      first = i;
+    else
+      copies.push_back({middles[i].number, middles[first].number, middles[i].shift - middles[first].shift});
+  return copies;
+}
+
+Nodes nodes_of(const PeriodicDomain& domain, int order) {
+  const PeriodicTile tile = domain.tile_lists();
+  Nodes nodes{tile.points.size(), domain.copies()};
+  if (order == 1) return nodes;
+  io::SimplexSoup soup;
+  soup.simplices[static_cast<std::size_t>(tile.facets.dimension)] = {
+      tile.facets.corners, std::vector<std::int32_t>(tile.facets.size()), {}};
+  const auto edges = io::edges_with_middles(soup);
+  const auto middles = copies_of_middles(edges, nodes);
+  nodes.copies.insert(nodes.copies.end(), middles.begin(), middles.end());
+  nodes.count += edges.size();
+  return nodes;
+}
+
 }  // namespace
 
-void write_pair_table(const std::filesystem::path& path, const PeriodicDomain& domain) {
+void write_pair_table(const std::filesystem::path& path, const PeriodicDomain& domain, int order) {
   io::AtomicFile file(path);
   io::OutputBuffer out(file);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -81,7 +133,7 @@ void write_pair_table(const std::filesystem::path& path, const PeriodicDomain& d
     out.character('\n');
   }
   out.text("slave,master,kx,ky,kz\n");
-  for (const auto& [slave, master, shift] : domain.copies()) {
+  for (const auto& [slave, master, shift] : nodes_of(domain, order).copies) {
     out.number(std::size_t{slave} + 1);
     out.character(',');
     out.number(std::size_t{master} + 1);
@@ -95,13 +147,14 @@ void write_pair_table(const std::filesystem::path& path, const PeriodicDomain& d
   file.commit();
 }
 
-void write_abaqus_equations(const std::filesystem::path& path, const PeriodicDomain& domain) {
+void write_abaqus_equations(const std::filesystem::path& path, const PeriodicDomain& domain, int order) {
   io::AtomicFile file(path);
   io::OutputBuffer out(file);
-  const std::size_t last = domain.tile_lists().points.size();
+  const Nodes nodes = nodes_of(domain, order);
+  const std::size_t last = nodes.count;
   put_reference_nodes(out, domain, last);
   const int degrees = domain.tree().mesh(domain.tile()).dimension();
-  for (const auto& [slave, master, shift] : domain.copies())
+  for (const auto& [slave, master, shift] : nodes.copies)
     for (int degree = 1; degree <= degrees; ++degree) {
       Equation equation(
           out, 2 + static_cast<std::size_t>(std::ranges::count_if(shift, [](int k) { return k != 0; })));

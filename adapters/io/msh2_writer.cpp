@@ -50,35 +50,36 @@ void put_nodes(MshSink& sink, const SimplexSoup& soup) {
 }
 
 struct Element {
-  std::span<const std::uint32_t> corners;
+  std::int32_t type;
+  std::span<const std::uint32_t> nodes;
   std::int32_t physical, entity;
 };
 
 void put_element(MshSink& sink, const Element& element, std::int32_t number) {
   sink.integer(number);
   if (!sink.binary()) {
-    sink.integer(msh_types[element.corners.size() - 1]);
+    sink.integer(element.type);
     sink.integer(2);
   }
   sink.integer(element.physical);
   sink.integer(element.entity);
-  for (const std::uint32_t corner : element.corners) sink.integer(static_cast<std::int32_t>(corner + 1));
+  for (const std::uint32_t node : element.nodes) sink.integer(static_cast<std::int32_t>(node + 1));
   sink.end_line();
 }
 
 /// In binary one block per type, in text one line per element; `number` continues over all dimensions.
 void put_block(MshSink& sink, const SimplexSoup::Block& block, const Groups& groups,
                const std::vector<std::int32_t>& entities, std::size_t dimension, std::int32_t& number) {
-  if (sink.binary() && block.size() != 0) {
-    sink.integer(msh_types[dimension]);
+  if (block.size() == 0) return;
+  const std::int32_t type = msh_type(block, dimension);
+  if (sink.binary()) {
+    sink.integer(type);
     sink.integer(static_cast<std::int32_t>(element_count(block, groups)));
     sink.integer(2);
   }
-  for (std::size_t i = 0; i < block.size(); ++i) {
-    const auto corners = std::span(block.corners).subspan((dimension + 1) * i, dimension + 1);
+  for (std::size_t i = 0; i < block.size(); ++i)
     for (const std::int32_t group : groups.at(block.tags[i]))
-      put_element(sink, {corners, group, entities[i]}, ++number);
-  }
+      put_element(sink, {type, nodes_of(block, i), group, entities[i]}, ++number);
 }
 
 void put_link(MshSink& text, const SimplexSoup::Periodic& link) {

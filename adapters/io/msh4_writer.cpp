@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
-#include <span>
 
 #include "adapters/io/group_tags.hpp"
 #include "adapters/io/msh_entities.hpp"
@@ -48,7 +47,7 @@ std::array<Blocks, 4> node_blocks(const SimplexSoup& soup, const Entities& entit
     for (std::size_t c = 0; c < soup.simplices[k].corners.size(); ++c) {
       const std::uint32_t point = soup.simplices[k].corners[c];
       dimension[point] = static_cast<std::uint8_t>(k);
-      entity[point] = entities[k].of_simplex[c / (k + 1)];
+      entity[point] = entities[k].of_simplex[c / nodes_per_simplex(soup.simplices[k])];
     }
   std::array<Blocks, 4> blocks;
   for (std::uint32_t i = 0; i < soup.points.size(); ++i) blocks[dimension[i]][entity[i]].push_back(i);
@@ -91,12 +90,11 @@ void put_nodes(MshSink& sink, const SimplexSoup& soup, const Entities& entities)
 }
 
 /// Simplices are numbered by their order in the soup, after those of lower dimension, from `number`.
-void put_block(MshSink& sink, const SimplexSoup::Block& block, std::size_t dimension,
-               const std::vector<std::uint32_t>& members, std::uint64_t number) {
+void put_block(MshSink& sink, const SimplexSoup::Block& block, const std::vector<std::uint32_t>& members,
+               std::uint64_t number) {
   for (const std::uint32_t i : members) {
     sink.size(number + i);
-    for (const std::uint32_t corner : std::span(block.corners).subspan((dimension + 1) * i, dimension + 1))
-      sink.size(std::uint64_t{corner} + 1);
+    for (const std::uint32_t node : nodes_of(block, i)) sink.size(std::uint64_t{node} + 1);
     sink.end_line();
   }
 }
@@ -112,10 +110,10 @@ void put_elements(MshSink& sink, const SimplexSoup& soup, const Entities& entiti
     for (const auto& [entity, members] : blocks[k]) {
       sink.integer(static_cast<std::int32_t>(k));
       sink.integer(entity);
-      sink.integer(msh_types[k]);
+      sink.integer(msh_type(soup.simplices[k], k));
       sink.size(members.size());
       sink.end_line();
-      put_block(sink, soup.simplices[k], k, members, number);
+      put_block(sink, soup.simplices[k], members, number);
     }
     number += soup.simplices[k].size();
   }

@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "adapters/io/second_order.hpp"
+
 namespace multimesh::io {
 
 void MshEntity::add(const std::array<double, 3>& p) {
@@ -41,12 +43,12 @@ class PeriodicEntities {
 
   const std::map<std::int32_t, std::vector<std::uint32_t>>& points() const { return points_; }
 
-  /// The first entity that contains all corners. \return whether there is one
-  bool find(std::span<const std::uint32_t> corners, std::int32_t& number) const {
+  /// The first entity that contains all nodes. \return whether there is one
+  bool find(std::span<const std::uint32_t> nodes, std::int32_t& number) const {
     if (of_point_.empty()) return false;
-    for (const std::int32_t candidate : of_point_[corners[0]]) {
+    for (const std::int32_t candidate : of_point_[nodes[0]]) {
       const bool everywhere = std::ranges::all_of(
-          corners, [&](std::uint32_t p) { return std::ranges::binary_search(of_point_[p], candidate); });
+          nodes, [&](std::uint32_t p) { return std::ranges::binary_search(of_point_[p], candidate); });
       if (everywhere) return number = candidate, true;
     }
     return false;
@@ -99,14 +101,14 @@ MshEntities entities_of(const SimplexSoup& soup, std::size_t k) {
   EntityNumbers numbers(block, periodic);
   MshEntities entities;
   for (std::size_t i = 0; i < block.size(); ++i) {
-    const auto corners = std::span(block.corners).subspan((k + 1) * i, k + 1);
+    const auto nodes = nodes_of(block, i);
     std::int32_t number = 0;
-    number = periodic.find(corners, number) ? numbers.in_periodic(number, block.tags[i])
-                                            : numbers.of_tag(block.tags[i]);
+    number = periodic.find(nodes, number) ? numbers.in_periodic(number, block.tags[i])
+                                          : numbers.of_tag(block.tags[i]);
     entities.of_simplex.push_back(number);
     MshEntity& entity = entities.by_number[number];
     entity.physical = block.tags[i];
-    for (const std::uint32_t p : corners) entity.add(soup.points[p]);
+    for (const std::uint32_t p : nodes) entity.add(soup.points[p]);
   }
   for (const auto& [number, points] : periodic.points())  // also those without simplices
     for (const std::uint32_t p : points) entities.by_number[number].add(soup.points[p]);

@@ -6,12 +6,16 @@
 #include <string_view>
 
 #include "adapters/io/output_buffer.hpp"
+#include "adapters/io/second_order.hpp"
 #include "multimesh/io/simplex_soup.hpp"
 
 namespace multimesh::io {
 
-/// Gmsh's types of the simplices, by dimension.
-constexpr std::int32_t msh_types[4] = {15, 1, 2, 4};
+/// Gmsh's type of the simplices of a block of this dimension, of first or second order.
+inline std::int32_t msh_type(const SimplexSoup::Block& block, std::size_t dimension) {
+  constexpr std::int32_t types[2][4] = {{15, 1, 2, 4}, {15, 8, 9, 11}};
+  return types[nodes_per_simplex(block) > dimension + 1 ? 1 : 0][dimension];
+}
 
 /// Numbers of a Gmsh file, as text or binary. The counterpart of MshSource.
 class MshSink {

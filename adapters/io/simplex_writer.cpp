@@ -8,6 +8,7 @@
 #include "adapters/io/gunzip.hpp"
 #include "adapters/io/input_location.hpp"
 #include "adapters/io/polygons_to_simplices.hpp"
+#include "adapters/io/second_order.hpp"
 #include "adapters/io/simplex_format_writers.hpp"
 #include "adapters/io/simplex_names.hpp"
 #include "multimesh/error.hpp"
@@ -123,15 +124,23 @@ void check_dimension(const SimplexSoup& soup, const std::string& extension, cons
 
 }  // namespace
 
+void check_simplex_output(const std::filesystem::path& path, const SimplexWriteOptions& options) {
+  const std::string extension = format_extension(path);
+  const bool holds_second_order = extension == ".msh" || extension == ".vtu";
+  if ((!holds_second_order && !is_surface(extension) && extension != ".mesh") || path.extension() == ".gz")
+    fail_file(path.string(),
+              "files of this extension are not written; use .msh, .mesh, .vtu, .obj, .off, .ply or .stl");
+  if (options.order != 1 && options.order != 2)
+    throw UsageError("simplices are written in first or second order");
+  if (options.order == 2 && !holds_second_order)
+    fail_file(path.string(), "elements of second order are only written to .msh and .vtu; use one of these");
+}
+
 std::vector<std::string> write_simplices(const std::filesystem::path& path, const SimplexSoup& soup,
                                          const SimplexWriteOptions& options) {
   check(soup);
   const std::string file = path.string(), extension = format_extension(path);
-  const bool is_known =
-      is_surface(extension) || extension == ".msh" || extension == ".mesh" || extension == ".vtu";
-  if (!is_known || path.extension() == ".gz")
-    fail_file(file,
-              "files of this extension are not written; use .msh, .mesh, .vtu, .obj, .off, .ply or .stl");
+  check_simplex_output(path, options);
   check_dimension(soup, extension, file);
   Lost lost;
   std::vector<std::string> warnings;
@@ -140,7 +149,9 @@ std::vector<std::string> write_simplices(const std::filesystem::path& path, cons
   } else {
     SimplexSoup copy;
     const bool is_msh = extension == ".msh";
-    const SimplexSoup& written = is_msh ? for_gmsh(soup, copy, file, warnings) : soup;
+    const SimplexSoup& first_order = is_msh ? for_gmsh(soup, copy, file, warnings) : soup;
+    if (options.order == 2) copy = second_order(first_order, file);
+    const SimplexSoup& written = options.order == 2 ? copy : first_order;
     if (!is_msh && !is_surface(extension)) warn_of_tag_sets(soup, file, warnings);
     AtomicFile output(path);
     OutputBuffer out(output);

@@ -7,12 +7,14 @@
 
 #include "adapters/io/base64.hpp"
 #include "adapters/io/gunzip.hpp"
+#include "adapters/io/second_order.hpp"
 #include "adapters/io/simplex_format_writers.hpp"
 
 namespace multimesh::io {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> cell_types = {1, 3, 5, 10};
+constexpr std::array<std::uint8_t, 4> second_order_types = {1, 21, 22, 24};
 
 template <class T>
 constexpr const char* type_name() {
@@ -115,11 +117,17 @@ CellArrays cell_arrays(const SimplexSoup& soup) {
   CellArrays cells;
   for (std::size_t k = 0; k < 4; ++k) {
     const SimplexSoup::Block& block = soup.simplices[k];
+    if (block.size() == 0) continue;
+    const std::size_t nodes = nodes_per_simplex(block);
+    const std::size_t first = cells.connectivity.size();
     cells.connectivity.insert(cells.connectivity.end(), block.corners.begin(), block.corners.end());
+    if (nodes == 10)  // Gmsh's order of the last two is the other one
+      for (std::size_t i = first; i < cells.connectivity.size(); i += nodes)
+        std::swap(cells.connectivity[i + 8], cells.connectivity[i + 9]);
     cells.tags.insert(cells.tags.end(), block.tags.begin(), block.tags.end());
-    cells.types.insert(cells.types.end(), block.size(), cell_types[k]);
+    cells.types.insert(cells.types.end(), block.size(), (nodes > k + 1 ? second_order_types : cell_types)[k]);
     for (std::size_t i = 0; i < block.size(); ++i)
-      cells.ends.push_back((cells.ends.empty() ? 0 : cells.ends.back()) + static_cast<std::int64_t>(k + 1));
+      cells.ends.push_back((cells.ends.empty() ? 0 : cells.ends.back()) + static_cast<std::int64_t>(nodes));
   }
   return cells;
 }

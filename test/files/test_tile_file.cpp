@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic tiles: the file declares what is glued.
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <set>
 #include <sstream>
 
 #include "multimesh/files/tile_file.hpp"
+#include "multimesh/io/simplex_reader.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
 #include "test/files/folder.hpp"
@@ -137,10 +139,30 @@ TEST_F(Tile, KeepsTagsOfHalvesAfterSplits) {
   EXPECT_NEAR(area[30] + area[31], 1, 1e-12);
 }
 
-TEST_F(Tile, TablesNameEachSlaveOnceAndItsMasterLatticeVectorsAway) {
+/// The points of a cube written in this order, also those in the middles of edges, which are read as unused.
+std::vector<std::array<double, 3>> points_written(const PeriodicDomain& domain,
+                                                  const std::filesystem::path& path, int order) {
+  write_tile(path, domain, {}, {.order = order});
+  return io::read_simplices(path).points;
+}
+
+/// Of a cube of 4^3 cubes, each cut along its diagonals: the middles of edges are the points of 8^3 cubes.
+std::size_t points_per_edge(int order) {
+  return order == 1 ? 5 : 9;
+}
+std::size_t copies_of_cube(int order) {
+  const std::size_t n = points_per_edge(order);
+  return n * n * n - (n - 1) * (n - 1) * (n - 1);
+}
+
+class TileOfOrder : public Tile, public testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(Orders, TileOfOrder, testing::Values(1, 2));
+
+TEST_P(TileOfOrder, TablesNameEachSlaveOnceAndItsMasterLatticeVectorsAway) {
   const PeriodicDomain domain(cube_tile(4), along(true, true, true));
-  write_pair_table(folder / "t.csv", domain);
-  const PeriodicTile tile = domain.tile_lists();
+  write_pair_table(folder / "t.csv", domain, GetParam());
+  const auto points = points_written(domain, folder / "t.msh", GetParam());
+  EXPECT_EQ(points.size(), std::pow(points_per_edge(GetParam()), 3));
   std::istringstream lines(content(folder / "t.csv"));
   std::string line;
   std::set<int> slaves, masters;
@@ -158,27 +180,27 @@ TEST_F(Tile, TablesNameEachSlaveOnceAndItsMasterLatticeVectorsAway) {
       masters.insert(n[1]);
       ++of_master[n[1]];
       for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_EQ(tile.points[static_cast<std::size_t>(n[0] - 1)][i],
-                  tile.points[static_cast<std::size_t>(n[1] - 1)][i] + n[2 + i]);
+        EXPECT_EQ(points.at(static_cast<std::size_t>(n[0] - 1))[i],
+                  points.at(static_cast<std::size_t>(n[1] - 1))[i] + n[2 + i]);
     }
   }
   EXPECT_EQ(comments, 3);
-  EXPECT_EQ(slaves.size(), 125U - 64U);
+  EXPECT_EQ(slaves.size(), copies_of_cube(GetParam()));
   for (const int m : masters) EXPECT_FALSE(slaves.contains(m));
   EXPECT_EQ(std::ranges::count_if(of_master, [](const auto& m) { return m.second == 7; }), 1);  // the corner
 }
 
-TEST_F(Tile, EquationsHoldForAnyAffineDisplacement) {
+TEST_P(TileOfOrder, EquationsHoldForAnyAffineDisplacement) {
   const PeriodicDomain domain(cube_tile(4), along(true, true, true));
-  write_abaqus_equations(folder / "t.inp", domain);
-  const PeriodicTile tile = domain.tile_lists();
-  const auto n = tile.points.size();
+  write_abaqus_equations(folder / "t.inp", domain, GetParam());
+  const auto points = points_written(domain, folder / "t.msh", GetParam());
+  const auto n = points.size();
   // The displacement of a reference node is that of its period: the gradient times the vector.
   const double gradient[3][3] = {{2, 3, 5}, {7, 11, 13}, {17, 19, 23}};
   const auto displacement = [&](std::size_t node, std::size_t degree) {
     if (node > n) return gradient[degree][node - n - 1];
     double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) sum += gradient[degree][i] * tile.points[node - 1][i];
+    for (std::size_t i = 0; i < 3; ++i) sum += gradient[degree][i] * points[node - 1][i];
     return sum;
   };
   std::istringstream in(content(folder / "t.inp"));
@@ -203,7 +225,41 @@ TEST_F(Tile, EquationsHoldForAnyAffineDisplacement) {
     EXPECT_NEAR(sum, 0, 1e-12);
     ++equations;
   }
-  EXPECT_EQ(equations, 3 * (125U - 64U));
+  EXPECT_EQ(equations, 3 * copies_of_cube(GetParam()));
+}
+
+/// The order of a triangle's nodes would show if it were wrong: it is read again corner by corner.
+TEST_F(Tile, OfSecondOrderIsReadAsOneOfFirstOrder) {
+  PeriodicDomain domain(listing_cube(), along(true, true, true));
+  for (const char* name : {"t.msh", "t.vtu"})
+    for (const bool binary : {true, false})
+      for (const auto version : {io::MshVersion::v2_2, io::MshVersion::v4_1}) {
+        write_tile(folder / "first.msh", domain);
+        write_tile(folder / name, domain, {}, {version, binary, 2});
+        const TileFile first = read_tile(folder / "first.msh"), second = read_tile(folder / name);
+        EXPECT_EQ(second.tile.points, first.tile.points);
+        EXPECT_EQ(second.tile.facets.corners, first.tile.facets.corners);
+        EXPECT_EQ(second.options.pairs,
+                  std::string(name) == "t.msh" ? first.options.pairs : decltype(first.options.pairs){});
+        EXPECT_TRUE(any_has(second.warnings, "higher order"));
+      }
+  for (const char* name : {"t.mesh", "t.obj"}) {
+    const std::string why = refusal([&] { write_tile(folder / name, domain, {}, {.order = 2}); });
+    EXPECT_NE(why.find("only written to .msh and .vtu"), std::string::npos) << why;
+  }
+}
+
+TEST_F(Tile, OfSecondOrderHasLinksBetweenAllMiddlesInItsSides) {
+  const PeriodicDomain domain(cube_tile(4), along(true, true, true));
+  const auto points = points_written(domain, folder / "t.msh", 2);
+  const io::SimplexSoup soup = io::read_simplices(folder / "t.msh");
+  ASSERT_EQ(soup.periodic.size(), 3U);
+  for (const auto& link : soup.periodic) {
+    EXPECT_EQ(link.points.size(), 81U);
+    for (const auto& [slave, master] : link.points)
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(points[slave][i], points[master][i] + link.affine[4 * i + 3]);
+  }
 }
 
 TEST_F(Tile, OfCurvesIsRefused) {

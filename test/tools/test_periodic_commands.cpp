@@ -174,6 +174,44 @@ TEST_F(PeriodicCommands, ImproveKeepsRegionsNamesAndTheBox) {
   }
 }
 
+/// In 2D and 3D, in both versions of MSH and in VTU, as other programs read them.
+TEST_F(PeriodicCommands, SecondOrderIsReadByOthersWithAllItsPairs) {
+  write_square("square.obj", 6);
+  write_cube("cube.msh", 4);
+  std::string jobs;
+  for (const Arguments& form : {Arguments{"t41.msh", "--ascii"},
+                                {"b41.msh"},
+                                {"t22.msh", "--msh2", "--ascii"},
+                                {"b22.msh", "--msh2"},
+                                {"b.vtu"}}) {
+    Arguments remesh{"remesh", "square.obj", "-o", "s" + form[0], "--length", "0.3"};
+    Arguments improve{"improve", "cube.msh", "-o", "c" + form[0]};
+    for (Arguments* a : {&remesh, &improve}) {
+      const std::string out = (*a)[3];
+      a->insert(a->end(), form.begin() + 1, form.end());
+      for (const char* more : {"--periodic", "xyz", "--order", "2", "--pair-table"}) a->push_back(more);
+      a->push_back(out + ".csv");
+      const Ended e = run(*a);
+      ASSERT_EQ(e.status, 0) << e.err;
+      jobs += " " + (directory / out).string() + " " + (directory / out).string() + ".csv";
+    }
+  }
+  if (std::system("/usr/bin/python3 -c 'import meshio' 2> /dev/null") != 0)
+    GTEST_SKIP() << "meshio is not installed";
+  const std::string script = "/usr/bin/python3 " MULTIMESH_TEST_DATA "/../second_order_by_peers.py";
+  EXPECT_EQ(std::system((script + jobs).c_str()), 0);
+}
+
+TEST_F(PeriodicCommands, SecondOrderIsRefusedBeforeTheWorkForFormatsWithoutIt) {
+  write_cube("cube.msh", 4);
+  for (const char* out : {"o.mesh", "o.obj", "o.xyz"}) {
+    const Ended e = run({"improve", "cube.msh", "-o", out, "--order", "2", "--periodic", "xyz"});
+    EXPECT_EQ(e.status, 1);
+    EXPECT_TRUE(contains(e.err, ".msh")) << e.err;
+    EXPECT_FALSE(exists(out));
+  }
+}
+
 TEST_F(PeriodicCommands, WithoutPeriodicDeclaredSidesAreNotLostSilently) {
   write_cube("in.msh", 4);
   ASSERT_EQ(run({"improve", "in.msh", "-o", "tile.msh", "--periodic", "xyz"}).status, 0);

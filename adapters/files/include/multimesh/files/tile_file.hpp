@@ -39,14 +39,15 @@ std::vector<std::string> write_tile(const std::filesystem::path& path, const Per
                                     const DomainGroups& groups = {},
                                     const io::SimplexWriteOptions& options = {});
 
-// The copies of its vertices for solvers, by their numbers in a file that write_tile() writes, from 1 on.
-// Each has one master, that of the lowest number; no vertex is slave and master. \throw InputError
+// The copies of its vertices for solvers, by their numbers in a file that write_tile() writes, from 1 on; in
+// order 2, those of the nodes in the middles of edges, too. Each has one master, that of the lowest number;
+// no vertex is slave and master. \throw InputError
 /// CSV with the columns slave,master,kx,ky,kz: the lattice vector from master to slave. The period vectors
 /// are in comments.
-void write_pair_table(const std::filesystem::path& path, const PeriodicDomain& domain);
+void write_pair_table(const std::filesystem::path& path, const PeriodicDomain& domain, int order = 1);
 /// Equations of Abaqus and CalculiX, one per pair and degree of freedom: the displacement of the slave is
 /// that of the master, plus those of the reference nodes of the periods between them. These nodes are defined
 /// in the same file.
-void write_abaqus_equations(const std::filesystem::path& path, const PeriodicDomain& domain);
+void write_abaqus_equations(const std::filesystem::path& path, const PeriodicDomain& domain, int order = 1);
 
 }  // namespace multimesh::files
