@@ -59,8 +59,10 @@ void add_limits(CLI::App& command, DecimateArguments& a) {
                 "keep borders between materials as curves (default: yes)")
       ->group("Limits");
   command
-      .add_option("--feature-angle", a.feature_angle,
-                  "edges at which the surface bends by this or more, in degrees, are kept as curves")
+      .add_option(
+          "--feature-angle", a.feature_angle,
+          "edges at which the surface bends by this or more, in degrees, are kept as curves; in a tile of "
+          "triangles, points where interfaces and the boundary bend by this")
       ->check(number([](double d) { return d > 0 && d <= 180; }, "in (0, 180], for instance 40", "DEGREES"))
       ->group("Limits");
   command
@@ -71,7 +73,8 @@ void add_limits(CLI::App& command, DecimateArguments& a) {
       ->group("Limits");
   command
       .add_option("--aspect-ratio", a.aspect_ratio,
-                  "no triangle's longest edge becomes more than this times its shortest height")
+                  "no triangle's longest edge becomes more than this times its shortest height; default in a "
+                  "tile: 10")
       ->check(number([](double r) { return r >= 1.155 && std::isfinite(r); },
                      "1.155 or more, for instance 20", "R"))
       ->group("Limits");

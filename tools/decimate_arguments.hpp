@@ -6,6 +6,7 @@
 
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/io/weld_surface.hpp"
+#include "tools/periodic_arguments.hpp"
 #include "tools/run_report.hpp"
 #include "tools/tetrahedra_arguments.hpp"
 
@@ -29,6 +30,7 @@ struct DecimateArguments : TetrahedraArguments {
   bool measure = false, quiet = false, follow_paths = false;
   io::SurfaceWeldOptions weld;
   bool improve = false;  ///< of tetrahedra
+  PeriodicArguments periodic;
 };
 
 /// Adds the options to the command; they are written into `a` when it is parsed.

@@ -17,6 +17,7 @@
 #include "tools/comparison_page.hpp"
 #include "tools/decimate_report.hpp"
 #include "tools/decimate_tetrahedra.hpp"
+#include "tools/decimate_tile.hpp"
 #include "tools/html_report.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/output_check.hpp"
@@ -162,17 +163,8 @@ void Run::fill_report() {
   if (wants_comparison()) measure(j);
 }
 
-/// Why a target was missed, in a sentence.
-std::string missed(const DecimateOptions& options, const DecimateResult& result) {
-  std::string text = "the target of " + std::to_string(options.faces) +
-                     " faces cannot be reached. Edges left, by what keeps them:";
-  for (const auto& [reason, count] : result.blocking)
-    text += ' ' + reason + ' ' + std::to_string(count) + ';';
-  return text;
-}
-
 void Run::finish() {
-  if (!target_reached(options_, result_)) file_.warnings.push_back(missed(options_, result_));
+  warn_of_target(options_, result_, "faces", file_.warnings);
   if (report_.wanted()) fill_report();
   report_.finish(file_.warnings, a_.quiet);
   if (a_.quiet) return;
@@ -190,22 +182,26 @@ void add_decimate_command(CLI::App& app, int& exit_code) {
   add_options(*command, *a);
 #ifdef MULTIMESH_WITH_IMPROVE
   add_tetrahedra_options(*command, *a);
+  add_tile_options(*command, *a);
 #endif
   command->footer(
       "Example:  multimesh decimate cow.obj -o small.obj --ratio 0.1 --report report.json\n"
-      "          multimesh decimate cow.obj -o small.obj --levels 0.5,0.25,0.1 --report-html cow.html\n\n"
+      "          multimesh decimate cow.obj -o small.obj --levels 0.5,0.25,0.1 --report-html cow.html\n"
+      "          multimesh decimate rve.msh -o coarse.msh --periodic xyz --ratio 0.3\n\n"
       "Kept: the topology of the surface and of every chart, the graph of the seams, materials and\n"
       "groups of each face. No triangle of the texture flips or loses its area. Polygons become\n"
       "triangles; normals are recomputed if the input has any. If topology does not allow the target,\n"
       "the file is written with as few faces as it allows; a warning says what prevents fewer, and\n"
       "the report counts the reasons.\n\n"
       "Of tetrahedra the surface is decimated: boundary, interfaces and listed triangles. All\n"
-      "tetrahedra stay of positive volume; regions, patches and curves are kept.");
+      "tetrahedra stay of positive volume; regions, patches and curves are kept. In a periodic tile\n"
+      "they are improved at the end, with the surface as it is then.");
   command->callback([a, command, &exit_code] {
     exit_code = done;
 #ifdef MULTIMESH_WITH_IMPROVE
     a->weld_given = command->count("--weld") > 0;
     a->target_given = command->count("--target-amips") > 0;
+    if (a->periodic.is_given()) return decimate_tile(*command, *a);
     if (decimate_if_tetrahedra(*command, *a)) return;
 #endif
     check_paths(*a);

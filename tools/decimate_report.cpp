@@ -27,6 +27,15 @@ bool target_reached(const DecimateOptions& o, const DecimateResult& r) {
   return o.faces == 0 || r.stop == DecimateResult::Stop::faces;
 }
 
+void warn_of_target(const DecimateOptions& o, const DecimateResult& r, const char* faces,
+                    std::vector<std::string>& warnings) {
+  if (target_reached(o, r)) return;
+  std::string text = "the target of " + std::to_string(o.faces) + ' ' + faces +
+                     " cannot be reached. Edges left, by what keeps them:";
+  for (const auto& [reason, count] : r.blocking) text += ' ' + reason + ' ' + std::to_string(count) + ';';
+  warnings.push_back(text);
+}
+
 Json to_json(const TextureLoss& loss) {
   return {{"deviation", loss.at_end.deviation},
           {"outside_own_chart", loss.at_end.outside},

@@ -11,6 +11,10 @@ const char* to_string(DecimateResult::Stop stop);
 /// Whether all given target numbers of faces were reached.
 bool target_reached(const DecimateOptions& o, const DecimateResult& r);
 
+/// A sentence if the target was missed, and why. `faces`: of what.
+void warn_of_target(const DecimateOptions& o, const DecimateResult& r, const char* faces,
+                    std::vector<std::string>& warnings);
+
 /// What was requested and what was done; docs/decimation.md has the fields.
 Json decimation_json(const DecimateArguments& a, const DecimateOptions& o, const DecimateResult& r);
 

@@ -54,14 +54,6 @@ DomainDecimateOptions options_of(const DecimateArguments& a, const files::Domain
   return o;
 }
 
-void warn_of_target(const DecimateOptions& o, const DecimateResult& r, std::vector<std::string>& warnings) {
-  if (target_reached(o, r)) return;
-  std::string text = "the target of " + std::to_string(o.faces) +
-                     " faces of the surface cannot be reached. Edges left, by what keeps them:";
-  for (const auto& [reason, count] : r.blocking) text += ' ' + reason + ' ' + std::to_string(count) + ';';
-  warnings.push_back(text);
-}
-
 void run(const DecimateArguments& a, files::DomainFile& file, RunReport& report) {
   check_output_path(a.output, {a.input}, a.format);
   TetDomainOptions curves;
@@ -74,9 +66,9 @@ void run(const DecimateArguments& a, files::DomainFile& file, RunReport& report)
   const DomainDecimateResult result = io::naming(a.input, [&] { return decimate(domain, options); });
   DomainResult output(domain);
   const DomainReport after = multimesh::report(domain, output.topology);
-  warn_of_target(options, result.surface, file.warnings);
+  warn_of_target(options, result.surface, "faces of the surface", file.warnings);
   if (result.tetrahedra) warn_of_tetrahedra(*result.tetrahedra, a.target_amips, file.warnings);
-  warn_of_volumes(before.tets, after.tets, remedy, file.warnings);
+  warn_of_sizes("volume", before.tets.volumes, after.tets.volumes, much_of_size, remedy, file.warnings);
   warn_of_contact(output.lists, remedy, file.warnings);
   const files::DomainWriteOptions how{a.format.options(), {false, a.feature_angle > 0, false}};
   constexpr double any = std::numeric_limits<double>::infinity();

@@ -66,7 +66,8 @@ void run(RemeshArguments& a, files::DomainFile& file, RunReport& report) {
   const DomainReport after = multimesh::report(domain, output.topology);
   warn_of_lengths(a, result.surface, file.warnings);
   warn_of_tetrahedra(result.tetrahedra, a.target_amips, file.warnings);
-  warn_of_volumes(before.tets, after.tets, "a shorter length", file.warnings);
+  warn_of_sizes("volume", before.tets.volumes, after.tets.volumes, much_of_size, "a shorter length",
+                file.warnings);
   warn_of_contact(output.lists, "a shorter length", file.warnings);
   const files::DomainWriteOptions how{a.format.options(), {false, a.feature_angle > 0, false}};
   add(write_if_same_mesh(a.output, before.tets, std::move(output), file.groups(), how, a.options.length),

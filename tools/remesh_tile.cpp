@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/remesh_tile.hpp"
 
-#include <cmath>
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -19,20 +18,6 @@ namespace {
 
 /// Interfaces and curved sides are polygons of other edges afterwards.
 constexpr double much_of_area = 1e-3;
-
-void warn_of_areas(const TileTopology& before, const TileTopology& after,
-                   std::vector<std::string>& warnings) {
-  for (const auto& [region, size] : before.sizes) {
-    const auto now = after.sizes.find(region);
-    const double change = now == after.sizes.end() ? -1 : now->second / size - 1;
-    if (std::abs(change) <= much_of_area) continue;
-    std::ostringstream text;
-    text.precision(2);
-    text << "the area of region " << region << " has changed by " << 100 * change
-         << " %; a smaller --length or --feature-angle keeps it better";
-    warnings.push_back(text.str());
-  }
-}
 
 void warn_of_length(const PeriodicDomain& domain, double length, std::vector<std::string>& warnings) {
   double least = std::numeric_limits<double>::infinity();
@@ -66,7 +51,8 @@ void remesh_tile(RemeshArguments& a, RunReport& report) {
   Json tile_after;
   const TileRemeshResult r = io::naming(a.input, [&] { return remesh(domain, options); });
   warn_of_lengths(a, r, file.warnings);
-  warn_of_areas(before, topology_of(domain), file.warnings);
+  warn_of_sizes("area", before.sizes, topology_of(domain).sizes, much_of_area,
+                "a smaller --length or --feature-angle", file.warnings);
   add(dropped_from_sides(r.dropped_listed), file.warnings);
   constexpr double any = std::numeric_limits<double>::infinity();
   add(write_tile_outputs(a.output, before, domain, file, a.format.options(), any, a.periodic, tile_after),

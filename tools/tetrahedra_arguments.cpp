@@ -2,7 +2,6 @@
 #include "tools/tetrahedra_arguments.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <sstream>
 
 #include "multimesh/error.hpp"
@@ -13,8 +12,6 @@ namespace multimesh::tools {
 namespace {
 
 constexpr const char* group = "Tetrahedra";
-/// Share of the volume of a region above which a change causes a warning.
-constexpr double much_of_volume = 0.005;
 
 }  // namespace
 
@@ -59,20 +56,6 @@ std::optional<files::DomainFile> read_tetrahedra(const std::string& input, const
                  .no_weld = !weld.positions,
                  .no_periodic = a.no_periodic});
   return file;
-}
-
-void warn_of_volumes(const TetTopology& before, const TetTopology& after, const std::string& remedy,
-                     std::vector<std::string>& warnings) {
-  for (const auto& [tag, volume] : before.volumes) {
-    const auto now = after.volumes.find(tag);
-    const double change = now == after.volumes.end() ? -1 : now->second / volume - 1;
-    if (std::abs(change) <= much_of_volume) continue;
-    std::ostringstream text;
-    text.precision(2);
-    text << "the volume of region " << tag << " has changed by " << 100 * change << " %; " << remedy
-         << " keeps it better";
-    warnings.push_back(text.str());
-  }
 }
 
 void warn_of_tetrahedra(const ImproveResult& r, double target, std::vector<std::string>& warnings) {

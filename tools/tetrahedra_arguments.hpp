@@ -41,8 +41,6 @@ std::optional<files::DomainFile> read_tetrahedra(const std::string& input, const
                                                  const io::SurfaceWeldOptions& weld);
 
 // Sentences about what has changed that should not. `remedy`: what keeps it better.
-void warn_of_volumes(const TetTopology& before, const TetTopology& after, const std::string& remedy,
-                     std::vector<std::string>& warnings);
 void warn_of_tetrahedra(const ImproveResult& result, double target, std::vector<std::string>& warnings);
 void warn_of_contact(const TaggedTetrahedra& lists, const std::string& remedy,
                      std::vector<std::string>& warnings);

@@ -248,7 +248,9 @@ double Decimator::run_rounds() {
     scheduler.run(*this);
     seconds += scheduler.seconds();
     if (!options_.between_rounds || is_done() || (faces_ == before && !first)) return seconds;
+    places_.stop();
     options_.between_rounds(carried);
+    places_.start();
   }
 }
 

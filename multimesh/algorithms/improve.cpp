@@ -7,6 +7,7 @@
 
 #include "multimesh/algorithms/improvement/improver.hpp"
 #include "multimesh/algorithms/improvement/obstacles.hpp"
+#include "multimesh/domains/periodic_domain.hpp"
 #include "multimesh/embedding.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/geometry/tet_shape.hpp"
@@ -191,6 +192,13 @@ struct LockedDomain {
 std::vector<Confinement> fixed_surface(const TetDomain& domain) {
   std::vector<Confinement> fixed{{NodeId::root, Confined::fixed}};
   if (domain.surface()) fixed.push_back({*domain.surface(), Confined::fixed});
+  return fixed;
+}
+
+std::vector<Confinement> fixed_walls(PeriodicDomain& domain) {
+  std::vector<Confinement> fixed;
+  for (const std::optional<NodeId> surface : {domain.add_walls(), domain.listed(2)})
+    if (surface) fixed.push_back({*surface, Confined::fixed});
   return fixed;
 }
 

@@ -14,6 +14,7 @@ namespace multimesh {
 
 class Attribute;
 class Embedding;
+class PeriodicDomain;
 
 /// How edges of the surface and of curves may be split, at their middle, rounded to doubles.
 enum class SurfaceSplits {
@@ -82,6 +83,8 @@ struct ImproveOptions {
 
 /// That the surface of a domain stays as it is: all that bounds its tetrahedra or is between them.
 std::vector<Confinement> fixed_surface(const TetDomain& domain);
+/// The same of a periodic tile, by PeriodicDomain::add_walls.
+std::vector<Confinement> fixed_walls(PeriodicDomain& domain);
 
 /// Of a TetDomain, by its tags.
 struct DomainImproveOptions : ImproveOptions, DomainLocks {

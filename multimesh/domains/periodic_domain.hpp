@@ -190,6 +190,10 @@ class PeriodicDomain {
   /// Adds the boundary of the material within the tile, without the glued sides, as a child of the tile.
   /// \return nothing if there is none. \throw as add_child_from_tags
   std::optional<NodeId> add_surface();
+  /// Adds all that algorithms on a tile of tetrahedra take for its surface as a child of the tile: that of
+  /// the material, interfaces and listed faces. What is glued is in it once, at one of its two places. The
+  /// same one when called again. \return nothing if there is none. \throw as add_child_from_tags
+  std::optional<NodeId> add_walls();
   /// Adds the glued sides as a child of the tile; algorithms then take them for a surface that is kept.
   /// \return nothing if there are none
   std::optional<NodeId> add_cuts();

@@ -145,6 +145,42 @@ TEST_F(PeriodicCommands, RemeshNotesALengthNearThePeriod) {
 
 #ifdef MULTIMESH_WITH_IMPROVE
 
+TEST_F(PeriodicCommands, DecimateWritesACoarserTile) {
+  write_square("in.obj", 12);
+  write_cube("in.msh", 6);
+  for (const std::string in : {"in.obj", "in.msh"})
+    for (const std::string sides : {"flat", "free", "frozen"}) {
+      SCOPED_TRACE(in + " " + sides);
+      const std::string axes = in == "in.obj" ? "xy" : "xyz";
+      const Json before = tile(in, {"--periodic", axes});
+      const Ended e = run({"decimate", in, "-o", "out.msh", "--ratio", "0.5", "--periodic", axes, "--sides",
+                           sides, "--pair-table", "pairs.csv", "--report", "report.json"});
+      ASSERT_EQ(e.status, 0) << e.err;
+      const Json r = json("report.json");
+      EXPECT_EQ(r["periodic"]["sides"], sides);
+      EXPECT_LT(r["faces"]["after"], r["faces"]["before"]);
+      EXPECT_LT(r["facets"]["after"], r["facets"]["before"]);
+      const Json t = tile("out.msh", {"--periodic", axes});
+      EXPECT_EQ(t["glued"], r["periodic"]["after"]["glued"]);
+      EXPECT_EQ(t["glued"]["euler_characteristic"], before["glued"]["euler_characteristic"]);
+      EXPECT_EQ(t["inverted"], 0);
+      EXPECT_EQ(t["periods"], before["periods"]);
+    }
+}
+
+TEST_F(PeriodicCommands, DecimateRefusesWhatATileHasNoUseFor) {
+  write_square("in.obj", 6);
+  const Arguments command{"decimate", "in.obj", "-o", "out.msh", "--ratio", "0.5", "--periodic", "xy"};
+  for (const Arguments& more : {Arguments{"--levels", "0.8"}, {"--lock-seams"}, {"--uv-weight", "1"}}) {
+    Arguments arguments = command;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).status, 2) << more.front();
+  }
+  Arguments arguments = command;
+  arguments.emplace_back("--improve");
+  EXPECT_EQ(run(arguments).status, 1);
+}
+
 TEST_F(PeriodicCommands, ImproveKeepsRegionsNamesAndTheBox) {
   write_cube("in.msh", 5);
   const Json before = tile("in.msh", {"--periodic", "xyz"});

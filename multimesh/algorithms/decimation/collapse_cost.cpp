@@ -31,6 +31,7 @@ CollapseCost::CollapseCost(const DecimateOptions& options, const Ranks& ranks, c
       ranks_(ranks),
       reader_(reader),
       positions_(reader.positions()),
+      is_periodic_(!reader.coordinates().periods().empty()),
       position_forms_(mesh_.capacity(0)) {
   for (std::size_t k = 0; k < reader.n_sets(); ++k) {
     const NodeId n = reader.texture(k);
@@ -186,13 +187,33 @@ CollapseCost::Quadratic CollapseCost::quadratic(const CollapsePlan& plan, const 
   return q;
 }
 
+// Where sides of a tile stay flat, displacements of both ends are in some plane, or along some line: P
+// projects there. Elsewhere the form is made steep.
+void CollapseCost::stay_in_sides(const CollapsePlan& plan, Quadratic& q) const {
+  const double step = (plan.at_b - plan.at_a).norm();
+  std::array<Vec3, 3> p, ap;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vec3 probe = plan.at_a;
+    probe[i] += step;
+    p[i] = (reader_.coordinates().allowed(plan.a, probe) - plan.at_a) / step;
+    ap[i] = q.A.times(p[i]);
+  }
+  const double steep = q.A.trace();
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    return dot(p[i], ap[j]) + steep * ((i == j ? 1 : 0) - p[i][j]);
+  };
+  q.f = {dot(p[0], q.f), dot(p[1], q.f), dot(p[2], q.f)};
+  q.A = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+}
+
 // With y the displacements in each copy, the deviation is x'Ax + 2 f.x + sum over copies
 // (2 x'My + y'Sy + 2 g.y) and a constant. Texture coordinates are eliminated copy by copy: the best ones are
 // linear in x.
 template <bool other_sheets>
 void CollapseCost::minimize_over(CollapsePlan& plan) const {
   const Vec3 half = (plan.at_b - plan.at_a) * 0.5;
-  auto [A, f, area] = quadratic<other_sheets>(plan, half);
+  Quadratic q = quadratic<other_sheets>(plan, half);
+  auto& [A, f, area] = q;
   const double pull = pull_to_middle * area;
   A.add(PositionForm::point(pull), 1);
 
@@ -228,6 +249,7 @@ void CollapseCost::minimize_over(CollapsePlan& plan) const {
     f += mu * e.constant[0] + mv * e.constant[1];
   }
 
+  if (is_periodic_ && ranks_.rank(plan.a) != Rank::free) stay_in_sides(plan, q);
   const Vec3 x = minimum(A, f);
   const double squared_half = half.squared_norm();
   // Off the ends, where the vertex would count as not moved.

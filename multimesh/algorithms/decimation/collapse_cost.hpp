@@ -57,6 +57,7 @@ class CollapseCost {
   template <bool other_sheets>
   void minimize_over(CollapsePlan& plan) const;
   void minimize(CollapsePlan& plan) const;
+  void stay_in_sides(const CollapsePlan& plan, Quadratic& q) const;
   void add(const SurfaceTriangle& t, double sign);
   void add_curves(const SurfaceTriangle& t, const Shape& shape, double sign);
   void remember(const SurfaceTriangle& t);
@@ -69,6 +70,7 @@ class CollapseCost {
   const Ranks& ranks_;
   const TriangleReader& reader_;
   const std::vector<Vec3>& positions_;
+  bool is_periodic_;
   std::vector<PositionForm> position_forms_;  ///< per vertex of the surface
   /// A power of two, so that multiplying by it and its powers is exact.
   struct Unit {

@@ -7,11 +7,15 @@ namespace multimesh::decimation {
 
 PlannedPlaces::PlannedPlaces(const EmbeddedMesh& surface, const CollapsePlan& plan)
     : surface_(surface), plan_(plan) {
+  start();
+}
+
+void PlannedPlaces::start() {
   prescribed_.push_back(std::make_unique<PrescribedPlaces>(
-      surface.positions(), [this](const VertexChange& c) { return position(c); }));
-  for (std::size_t k = 0; k < surface.charts().size(); ++k)
+      surface_.positions(), [this](const VertexChange& c) { return position(c); }));
+  for (std::size_t k = 0; k < surface_.charts().size(); ++k)
     prescribed_.push_back(std::make_unique<PrescribedPlaces>(
-        *surface.charts()[k], [this, k](const VertexChange& c) { return texcoord(k, c); }));
+        *surface_.charts()[k], [this, k](const VertexChange& c) { return texcoord(k, c); }));
 }
 
 // A mesh above has one vertex for all sheets. Those of a periodic tile are at different places.

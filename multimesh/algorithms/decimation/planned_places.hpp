@@ -9,11 +9,15 @@
 
 namespace multimesh::decimation {
 
-/// As long as it lives, merged vertices go where a plan says, in space and in each chart.
+/// As long as it lives and is not stopped, merged vertices go where a plan says, in space and in each chart.
 class PlannedPlaces {
  public:
   /// All must outlive it.
   PlannedPlaces(const EmbeddedMesh& surface, const CollapsePlan& plan);
+
+  /// For other code that collapses edges.
+  void stop() { prescribed_.clear(); }
+  void start();
 
   /// Makes the places of a plan those that the values can hold: some have fewer digits.
   void round(CollapsePlan& plan) const;

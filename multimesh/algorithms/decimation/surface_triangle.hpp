@@ -49,6 +49,7 @@ class TriangleReader {
   const std::vector<Vec3>& positions() const noexcept { return positions_; }
   std::size_t n_sets() const noexcept { return textures_.size(); }
   NodeId node() const noexcept { return surface_.node(); }
+  const Coordinates& coordinates() const noexcept { return surface_.positions(); }
   NodeId texture(std::size_t set) const { return textures_[set].node; }
   const std::vector<Vec2>& texcoords(std::size_t set) const { return *textures_[set].texcoords; }
   void read(Dart d, SurfaceTriangle& triangle) const;

@@ -144,6 +144,11 @@ std::optional<NodeId> PeriodicDomain::add_cuts() {
   return data_->cuts;
 }
 
+std::optional<NodeId> PeriodicDomain::add_walls() {
+  if (!data_->walls) data_->walls = data_->add_faces(tile(), [&](Dart d) { return data_->is_wall(d); });
+  return data_->walls;
+}
+
 std::optional<NodeId> PeriodicDomain::listed(int k) const {
   return data_->listed[static_cast<std::size_t>(k)].node;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -72,6 +73,19 @@ struct PeriodicDomain::Data {
     return !tree.mesh(NodeId::root).is_boundary(tree.to_parent(tile, face), k);
   }
 
+  /// Whether a face of the tile is in add_walls().
+  bool is_wall(Dart face) const {
+    if (tree.mesh(tile).is_boundary(face, 2) && !is_glued(face)) return true;
+    if (!listed[2].node) return false;
+    DartBuffer there;
+    tree.to_child(*listed[2].node, tree.to_parent(tile, face), 2, there);
+    if (there.empty()) return false;
+    DartBuffer copies;
+    tree.to_child(tile, tree.to_parent(tile, face), 2, copies);
+    return std::ranges::all_of(
+        copies, [&](Dart c) { return tree.mesh(tile).simplex(c, 2) >= tree.mesh(tile).simplex(face, 2); });
+  }
+
   /// Makes the meshes of what the tile lists, and of the interfaces if requested.
   void add_listed(const PeriodicTile& input, const PeriodicOptions& options);
 
@@ -122,7 +136,7 @@ struct PeriodicDomain::Data {
   std::vector<PeriodicTile::Region>* part = nullptr;
   MultiMesh tree;
   NodeId tile = NodeId::root;
-  std::optional<NodeId> cuts;
+  std::optional<NodeId> cuts, walls;
   std::array<ListedMesh, 3> listed;  // by dimension
   bool interfaces = false;           // are kept
   double corner_angle = 0;
