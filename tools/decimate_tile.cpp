@@ -104,7 +104,7 @@ void add_tile_options(CLI::App& command, DecimateArguments& a) {
 }
 
 void decimate_tile(const CLI::App& command, DecimateArguments& a) {
-  check_tile_outputs(a.input, a.output, a.periodic);
+  check_tile_outputs(a.input, a.output, a.format, a.periodic);
   RunReport report(command, a.report, {a.input}, {a.output});
   run(Task(a, read_periodic(a.input, with_corners(a))), report);
 }
