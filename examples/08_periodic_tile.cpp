@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "multimesh/domains/periodic_domain.hpp"
+#include "multimesh/keeps_orientation.hpp"
 #include "multimesh/validate.hpp"
 
 using namespace multimesh;
@@ -37,7 +38,7 @@ int main() {
   PeriodicDomain domain(cube(6));
   Propagation propagation(domain.tree());
   domain.attach(propagation);
-  TileStaysPositive positive(domain);  // no tetrahedron may turn over, around any copy
+  KeepsOrientation positive(domain.positions());  // no tetrahedron may turn over, around any copy
   propagation.add(positive);
 
   const Mesh& tile = domain.tree().mesh(domain.tile());

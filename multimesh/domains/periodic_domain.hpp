@@ -230,23 +230,10 @@ class PeriodicDomain {
   std::unique_ptr<Data> data_;
 };
 
-/// Refuses operations after which a facet of the tile around any copy of the vertex or edge has negative or
-/// no volume, by exact signs. Triangles: no area as seen against the mean normal of the tile; tiles that are
-/// not flat must therefore be graphs over their mean plane. Cost: the stars of all copies.
-class TileStaysPositive final : public Invariant {
- public:
-  explicit TileStaysPositive(const PeriodicDomain& domain);
-  bool after(const Event& event) override;
-
- private:
-  const PeriodicDomain& domain_;
-  Vec3 normal_;
-  DartBuffer star_;
-};
-
 /// The signed volume of a tetrahedron of the tile; the signed area of a triangle as seen along `normal`.
 double signed_measure(const PeriodicDomain& domain, Index facet, const Vec3& normal);
-/// Its sign, exactly: that of orient3d, or orient_against(normal, ..).
+/// Its sign, exactly. KeepsOrientation(positions(), mean_normal(domain)) keeps all of them positive around
+/// all copies; a tile of triangles that is not flat must then be a graph over its mean plane.
 int orientation(const PeriodicDomain& domain, Index facet, const Vec3& normal);
 /// The unit mean normal of a tile of triangles; 0 for tetrahedra.
 Vec3 mean_normal(const PeriodicDomain& domain);

@@ -64,6 +64,11 @@ int orient_against(const double* n, const double* a, const double* b, const doub
   return sum.sign();
 }
 
+int orientation_of_facet(int dimension, const Vec3* p, const Vec3& normal) {
+  return dimension == 2 ? orient_against(normal.data(), p[0].data(), p[1].data(), p[2].data())
+                        : orient3d(p[0].data(), p[1].data(), p[2].data(), p[3].data());
+}
+
 bool collinear(const double* a, const double* b, const double* c) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;

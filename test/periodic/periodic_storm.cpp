@@ -39,7 +39,11 @@ bool is_positive(const PeriodicDomain& domain, Index facet, const Vec3& normal) 
 }  // namespace
 
 PeriodicStorm::PeriodicStorm(PeriodicDomain& domain, unsigned seed, bool shape)
-    : domain_(domain), operations_(domain.tree()), positive_(domain), shape_(shape), random_(seed) {
+    : domain_(domain),
+      operations_(domain.tree()),
+      positive_(domain.positions(), mean_normal(domain)),
+      shape_(shape),
+      random_(seed) {
   domain.attach(operations_);
   if (shape) operations_.add(positive_);
   const Mesh& root = domain.tree().mesh(NodeId::root);

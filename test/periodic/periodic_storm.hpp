@@ -5,6 +5,7 @@
 #include <string>
 
 #include "multimesh/domains/periodic_domain.hpp"
+#include "multimesh/keeps_orientation.hpp"
 
 namespace multimesh::test {
 
@@ -28,7 +29,7 @@ class PeriodicStorm {
 
   PeriodicDomain& domain_;
   Propagation operations_;
-  TileStaysPositive positive_;
+  KeepsOrientation positive_;
   bool shape_;
   std::mt19937 random_;
   std::size_t facets_at_start_ = 0, live_ = 0, steps_ = 0;

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "multimesh/keeps_orientation.hpp"
 #include "multimesh/validate.hpp"
 #include "test/periodic/tiles.hpp"
 
@@ -36,7 +37,7 @@ Dart edge(const PeriodicDomain& domain, const Vec3& a, const Vec3& b) {
 struct Walls {
   PeriodicDomain domain{cube_tile(4), along(true, true, true)};
   Propagation operations{domain.tree()};
-  TileStaysPositive positive{domain};
+  KeepsOrientation positive{domain.positions()};
   Walls() {
     domain.attach(operations);
     operations.add(positive);
@@ -126,7 +127,7 @@ TEST(PeriodicMove, LooksAtTheFacetsOfAllCopies) {
       const auto before = w.domain.positions().values();
       const Outcome far = w.domain.move(w.operations, w.domain.tile(), d, {0.3 * sign, 0, 0});
       EXPECT_EQ(far.refusal.check, Check::invariant);
-      EXPECT_EQ(far.refusal.invariant, "tile stays positive");
+      EXPECT_EQ(far.refusal.invariant, "facets keep their orientation");
       EXPECT_EQ(w.domain.positions().values(), before);
     }
   w.expect_sound();

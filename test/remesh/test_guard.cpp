@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "multimesh/algorithms/remeshing/distance_guard.hpp"
-#include "multimesh/algorithms/remeshing/plane_sides.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
+#include "multimesh/keeps_orientation.hpp"
 #include "multimesh/openmesh/triangle_mesh.hpp"
 #include "test/support/trees.hpp"
 
@@ -78,13 +78,13 @@ TEST_F(Pyramid, PlacesAreOnThePatchThatLooksTheSameWay) {
 
 TEST_F(Pyramid, TrianglesMayNotTurnOver) {
   StarShape in_space(root(), positions());
-  PlaneSides in_plane(root(), positions());
+  KeepsOrientation in_plane(positions(), root());
   const Dart tip = root().dart_of(0, 0);
   EXPECT_TRUE(in_space.allows(tip, {0.1, 0, 1}));
   EXPECT_FALSE(in_space.allows(tip, {0, 0, -1}));
-  EXPECT_TRUE(in_plane.allows(tip, {0.1, 0.1, 0}));
-  EXPECT_FALSE(in_plane.allows(tip, {2, 0, 0}));
-  EXPECT_FALSE(in_plane.allows(tip, {1, 0, 0}));  // without area
+  EXPECT_TRUE(in_plane.allows(root(), tip, {0.1, 0.1, 0}));
+  EXPECT_FALSE(in_plane.allows(root(), tip, {2, 0, 0}));
+  EXPECT_FALSE(in_plane.allows(root(), tip, {1, 0, 0}));  // without area
 }
 
 TEST(LeastAngle, IsThatOfTheTriangle) {

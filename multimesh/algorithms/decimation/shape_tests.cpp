@@ -3,20 +3,18 @@
 
 #include <algorithm>
 
+#include "multimesh/geometry/keeps_side.hpp"
+
 namespace multimesh::decimation {
 
 namespace {
-
-Vec3 area_vector(const std::array<Vec3, 3>& p) {
-  return cross(p[1] - p[0], p[2] - p[0]);
-}
 
 double longest_squared(const std::array<Vec3, 3>& p) {
   return std::max({(p[1] - p[0]).squared_norm(), (p[2] - p[1]).squared_norm(), (p[0] - p[2]).squared_norm()});
 }
 
 double aspect_ratio(const std::array<Vec3, 3>& p) {
-  const double doubled_area = area_vector(p).norm();
+  const double doubled_area = doubled_area_vector(p).norm();
   return doubled_area > 0 ? longest_squared(p) / doubled_area : std::numeric_limits<double>::infinity();
 }
 
@@ -29,14 +27,13 @@ double angle_between(const Vec3& x, const Vec3& y) {
 bool NormalTurn::allows(const PredictedStar& star, const CollapsePlan&) {
   for (const PredictedStar::Face& f : star.faces()) {
     if (f.dies || !f.changes) continue;
-    const Vec3 before = area_vector(f.before.positions);
-    const double had = before.squared_norm();
-    if (!(had > 0)) continue;
+    const Vec3 before = doubled_area_vector(f.before.positions);
+    if (!(before.squared_norm() > 0)) continue;
     const auto positions = f.positions_after();
-    const Vec3 after = area_vector(positions);
+    const Vec3 after = doubled_area_vector(positions);
     const double has = after.squared_norm(), longest = longest_squared(positions);
     if (has <= 1e-20 * longest * longest) return false;
-    if (dot(before, after) < min_cosine_ * std::sqrt(had * has)) return false;
+    if (!turns_at_most(min_cosine_, before, after)) return false;
   }
   return true;
 }
@@ -57,7 +54,7 @@ NormalDeviation::NormalDeviation(const TriangleReader& reader, double limit)
   cones_.resize(mesh.capacity(2));
   for (Index f = 0; f < mesh.capacity(2); ++f) {
     if (!mesh.is_live(2, f)) continue;
-    const Vec3 n = area_vector(reader.positions(mesh.dart_of(2, f)));
+    const Vec3 n = doubled_area_vector(reader.positions(mesh.dart_of(2, f)));
     if (n.norm() > 0) cones_[f] = {n / n.norm(), 0};
   }
 }
@@ -94,7 +91,7 @@ bool NormalDeviation::allows(const PredictedStar& star, const CollapsePlan&) {
   for (const PredictedStar::Face& f : star.faces()) {
     if (f.dies) continue;
     const Cone cone = cone_after(star, f);
-    const Vec3 n = area_vector(f.positions_after());
+    const Vec3 n = doubled_area_vector(f.positions_after());
     if (cone.angle < 0 || !(n.norm() > 0)) continue;
     if (angle_between(n / n.norm(), cone.axis) + cone.angle > limit_) return false;
   }

@@ -4,25 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multimesh/geometry/orient2d.hpp"
+#include "multimesh/geometry/keeps_side.hpp"
 
 namespace multimesh::decimation {
 
 namespace {
 
-/// Doubled area that counts as none, relative to the squared diagonal of the bounding box.
-constexpr double relative_no_area = 1e-11;
 /// A chart has an orientation if what its sides have more than each other is at least this share of its area.
 constexpr double oriented_share = 0.8;
-
-int orientation(const std::array<Vec2, 3>& t) {
-  return orient2d(t[0].data(), t[1].data(), t[2].data());
-}
-
-double doubled_area(const std::array<Vec2, 3>& t) {
-  const Vec2 u = t[1] - t[0], v = t[2] - t[0];
-  return u[0] * v[1] - u[1] * v[0];
-}
 
 int sign(double area, double none) {
   return area > none ? 1 : area < -none ? -1 : 0;
@@ -83,10 +72,10 @@ void TextureOrientation::orient_charts(const TriangleReader& reader) {
     absolute[chart] += std::abs(area);
     for (const Vec2& p : t.sets[set_].texcoords) boxes[chart].add(p), whole.add(p);
   }
-  no_area_ = relative_no_area * whole.squared_diagonal();
+  keeps_.no_area = KeepsSide::relative_no_area * whole.squared_diagonal();
   for (std::size_t c = 0; c < charts_.size(); ++c)
     charts_[c] = {sign(total[c], oriented_share * absolute[c]),
-                  relative_no_area * boxes[c].squared_diagonal()};
+                  KeepsSide::relative_no_area * boxes[c].squared_diagonal()};
 }
 
 bool TextureOrientation::allows(const PredictedStar& star, const CollapsePlan&) {
@@ -100,16 +89,12 @@ bool TextureOrientation::allows(const PredictedStar& star, const CollapsePlan&) 
 // side, or had before, it may have.
 bool TextureOrientation::keeps_sign(const PredictedStar::Face& f) const {
   const Chart& chart = charts_[chart_of_[f.before.sets[set_].facet]];
-  const std::array<Vec2, 3>& old = f.before.sets[set_].texcoords;
-  const std::array<Vec2, 3> now = f.texcoords_after(set_);
-  const double before = doubled_area(old), after = doubled_area(now);
-  const int seen = sign(after, chart.no_area), has = orientation(now);
-  if (seen != chart.sign && seen != sign(before, chart.no_area)) return false;
-  if (has != chart.sign) {
-    const int had = orientation(old);
-    if (has != had && (had != 0 || chart.sign != 0)) return false;
-  }
-  return std::abs(before) <= no_area_ || std::abs(after) > no_area_;
+  const Corners<2>& old = f.before.sets[set_].texcoords;
+  const Corners<2> now = f.texcoords_after(set_);
+  const int seen = sign(doubled_area(now), chart.no_area);
+  if (seen != chart.sign && seen != sign(doubled_area(old), chart.no_area)) return false;
+  // In a chart without a wrong side, a triangle without area may get any.
+  return keeps_(old, now, chart.sign != 0 || side_of(old) != 0 ? chart.sign : side_of(now));
 }
 
 }  // namespace multimesh::decimation

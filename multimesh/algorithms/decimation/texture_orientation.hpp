@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "multimesh/algorithms/decimation/placement_test.hpp"
+#include "multimesh/geometry/keeps_side.hpp"
 
 namespace multimesh::decimation {
 
@@ -21,8 +22,7 @@ class TextureOrientation final : public PlacementTest {
   std::size_t charts() const { return charts_.size(); }
 
  private:
-  /// Areas are doubled here. Triangles below these are invisible: per chart, since its neighbours may be far
-  /// larger; and a triangle that is above the limit of the whole texture may not fall below it.
+  /// Triangles up to this doubled area are invisible: per chart, since its neighbours may be far larger.
   struct Chart {
     int sign = 0;
     double no_area = 0;
@@ -32,7 +32,7 @@ class TextureOrientation final : public PlacementTest {
   bool keeps_sign(const PredictedStar::Face& face) const;
 
   std::size_t set_;
-  double no_area_ = 0;
+  KeepsSide keeps_;
   std::vector<Chart> charts_;
   std::vector<Index> chart_of_;  ///< per triangle of the texture
 };

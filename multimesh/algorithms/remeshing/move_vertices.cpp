@@ -103,7 +103,7 @@ bool Remesher::move(Dart vertex, const Place& to) {
     if (!shape_.allows(c.dart, there)) return false;
   }
   for (const Write& w : writes_)
-    if (!sides_below_[w.mesh].allows(w.dart, w.at)) return false;
+    if (!sides_below_[w.mesh]->allows(tree_.mesh(below_[w.mesh]->node()), w.dart, w.at)) return false;
   const auto write = [&](const Event&) {
     positions_.set(mesh_.vertex(vertex), to.position);
     for (const Write& w : writes_) {

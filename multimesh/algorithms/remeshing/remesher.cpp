@@ -54,7 +54,10 @@ Remesher::Remesher(EmbeddedMesh& surface, const RemeshOptions& options)
   strata_.trust(line_);
   lock_lines();
   all_has_changed();
-  for (const Coordinates* c : below_) sides_below_.emplace_back(tree_.mesh(c->node()), *c);
+  for (const Coordinates* c : below_) {
+    sides_below_.push_back(std::make_unique<KeepsOrientation>(*c, tree_.mesh(c->node())));
+    operations_.add(*sides_below_.back());
+  }
 }
 
 void Remesher::lock_lines() {
@@ -172,7 +175,7 @@ Outcome Remesher::halve(Dart edge) {
   copies_.collect(tree_, node_, edge, 1);
   read_stars(copies_, 1, changing_);
   guard_.take(changing_);
-  const Outcome o = split(edge);
+  const Outcome o = operations_.split(node_, edge);
   if (!o) {
     guard_.give_back();
     return o;
@@ -188,29 +191,6 @@ Outcome Remesher::halve(Dart edge) {
   (void)centre(v, normal);
   if (const auto to = place(v, free, line, {at(v), half}, normal)) move(v, *to);
   return o;
-}
-
-// Rounding may put the middle of a thin triangle's edge on its other side.
-Outcome Remesher::split(Dart edge) {
-  const std::vector<PlaneSides::Count> before = count_sides(edge, 1);
-  Transaction undone = operations_.transaction();
-  const Outcome o = operations_.split(node_, edge);
-  if (!o) return o;
-  const std::vector<PlaneSides::Count> after = count_sides(mesh_.reorder(o.dart, exchange_ends), 0);
-  for (std::size_t m = 0; m < below_.size(); ++m)
-    if (!PlaneSides::halved(before[m], after[m])) return refuse();
-  undone.commit();
-  return o;
-}
-
-// Of the triangles around all copies of a simplex in each mesh below.
-std::vector<PlaneSides::Count> Remesher::count_sides(Dart d, int k) {
-  if (below_.empty()) return {};
-  copies_.collect(tree_, node_, d, k);
-  std::vector<PlaneSides::Count> counts(below_.size());
-  for (std::size_t m = 0; m < below_.size(); ++m)
-    for (const Copy& c : copies_.of(below_[m]->node())) sides_below_[m].count(c.dart, k, counts[m]);
-  return counts;
 }
 
 void Remesher::collapse_short_edges() {
@@ -270,23 +250,6 @@ void Remesher::drop_repeated(DartBuffer& triangles, std::size_t stars) const {
   triangles.erase(repeated, triangles.end());
 }
 
-bool Remesher::charts_allow_collapse() const {
-  for (std::size_t m = 0; m < below_.size(); ++m)
-    for (const Copy& c : copies_.of(below_[m]->node())) {
-      const Mesh& mesh = tree_.mesh(c.node);
-      const Index kept = mesh.vertex(mesh.reorder(c.dart, exchange_ends));
-      if (!sides_below_[m].allows(c.dart, below_[m]->at(kept), kept)) return false;
-    }
-  return true;
-}
-
-bool Remesher::charts_allow_swap() const {
-  for (std::size_t m = 0; m < below_.size(); ++m)
-    for (const Copy& c : copies_.of(below_[m]->node()))
-      if (!sides_below_[m].allows_swap(c.dart)) return false;
-  return true;
-}
-
 Outcome Remesher::guarded(const std::function<Outcome()>& operation) {
   guard_.take(changing_);
   {
@@ -324,7 +287,7 @@ Outcome Remesher::collapse_guarded(Dart d) {
   const Dart b = mesh_.reorder(d, exchange_ends);
   if (!shape_.allows(d, at(b), mesh_.vertex(b))) return refuse();
   copies_.collect(tree_, node_, d, 1);
-  if (!others_allow_collapse(d) || !charts_allow_collapse()) return refuse();
+  if (!others_allow_collapse(d)) return refuse();
   read_stars_of_ends(copies_, changing_);
   const Outcome o = guarded([&] { return operations_.collapse(node_, d, Placement::keep_b()); });
   result_.collapses += static_cast<bool>(o);
@@ -373,8 +336,6 @@ bool Remesher::swap(Dart edge) {
 
 bool Remesher::swap_guarded(Dart edge) {
   if (!shape_.allows_swap(edge)) return false;
-  copies_.collect(tree_, node_, edge, 1);
-  if (!charts_allow_swap()) return false;
   mesh_.star(edge, 1, changing_);
   return static_cast<bool>(guarded([&] { return operations_.swap(node_, edge); }));
 }

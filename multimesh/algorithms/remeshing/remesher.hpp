@@ -9,7 +9,6 @@
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/remeshing/distance_guard.hpp"
 #include "multimesh/algorithms/remeshing/part_sizes.hpp"
-#include "multimesh/algorithms/remeshing/plane_sides.hpp"
 #include "multimesh/algorithms/remeshing/reference.hpp"
 #include "multimesh/algorithms/remeshing/star_shape.hpp"
 #include "multimesh/column.hpp"
@@ -50,8 +49,6 @@ class Remesher {
   PriorityScheduler::Stop split_long_edges();
   bool flattens_beside_whole(Dart edge);
   Outcome halve(Dart edge);
-  Outcome split(Dart edge);
-  std::vector<PlaneSides::Count> count_sides(Dart d, int k);
   void collapse_short_edges();
   void swap_edges();
   void smooth();
@@ -91,10 +88,7 @@ class Remesher {
   void read_stars(const Copies& copies, int k, DartBuffer& triangles);
   void read_stars_of_ends(const Copies& edges, DartBuffer& triangles);
   void drop_repeated(DartBuffer& triangles, std::size_t stars) const;
-  /// Whether the triangles below, at all copies of (a, b, ..), allow moving a to b, or a swap.
-  bool charts_allow_collapse() const;
   bool others_allow_collapse(Dart edge);
-  bool charts_allow_swap() const;
   /// An operation on the triangles of changing_; undone if it moves the surface too far from the input.
   Outcome guarded(const std::function<Outcome()>& operation);
   Outcome refuse() const { return {{Check::invariant, node_, {}}, no_dart, no_dart}; }
@@ -139,7 +133,7 @@ class Remesher {
   DistanceGuard guard_;
   StarShape shape_;
   PartSizes sizes_;
-  mutable std::vector<PlaneSides> sides_below_;
+  std::vector<std::unique_ptr<KeepsOrientation>> sides_below_;
   RemeshResult result_;
 
   struct Write {

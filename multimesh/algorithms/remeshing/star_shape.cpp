@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multimesh/algorithms/remeshing/changed_triangles.hpp"
+#include "multimesh/swapped.hpp"
 
 namespace multimesh::remeshing {
 
@@ -29,7 +29,7 @@ struct Form {
 };
 
 /// `n`: the cross product of two edges.
-Form form(const Corners& t, const Vec3& n) {
+Form form(const Corners<3>& t, const Vec3& n) {
   std::array<double, 3> squared{(t[1] - t[0]).squared_norm(), (t[2] - t[1]).squared_norm(),
                                 (t[0] - t[2]).squared_norm()};
   std::sort(squared.begin(), squared.end());
@@ -37,24 +37,26 @@ Form form(const Corners& t, const Vec3& n) {
   return {shorter > 0 ? area / shorter : 0, squared[2] > 0 ? area / squared[2] : 0};
 }
 
-Vec3 normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return cross(b - a, c - a);
-}
-
-bool same_side(const Corners& before, const Corners& after) {
-  const Vec3 n = normal(before[0], before[1], before[2]), m = normal(after[0], after[1], after[2]);
+bool same_side(const Corners<3>& before, const Corners<3>& after) {
+  const Vec3 n = doubled_area_vector(before), m = doubled_area_vector(after);
   const Form was = form(before, n), is = form(after, m);
   if (was.flatness < with_normal) return true;
   if (is.flatness < std::min(flat, was.flatness) || is.thinness < std::min(thin, leaning * was.thinness))
     return false;
-  return dot(n, m) > least_cosine * n.norm() * m.norm();
+  return turns_at_most(least_cosine, n, m);
 }
 
 }  // namespace
 
 bool StarShape::allows(Dart vertex, const Vec3& to, Index without) {
   mesh_.star(vertex, 0, star_);
-  return keeps_around(mesh_, at_, star_, to, without, same_side);
+  return std::ranges::all_of(star_, [&](Dart t) {
+    std::array<Index, 4> v{};
+    mesh_.vertices(t, v.data());
+    if (v[1] == without || v[2] == without) return true;
+    const Vec3 x = at_.at(v[1]), y = at_.at(v[2]);
+    return same_side({at_.at(v[0]), x, y}, {to, x, y});
+  });
 }
 
 bool StarShape::allows_swap(Dart edge) {
@@ -65,7 +67,8 @@ bool StarShape::allows_swap(Dart edge) {
 }
 
 bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return form({a, b, c}, normal(a, b, c)).flatness < flat;
+  const Corners<3> t{a, b, c};
+  return form(t, doubled_area_vector(t)).flatness < flat;
 }
 
 // The angle opposite the shortest side.

@@ -18,8 +18,9 @@ int orientation(const PeriodicDomain& domain, Index facet, const Vec3& normal) {
   const auto& p = domain.positions();
   Index v[4];
   mesh.vertices(mesh.dart_of(mesh.dimension(), facet), v);  // in the order of its orientation
-  const double *a = p[v[0]].data(), *b = p[v[1]].data(), *c = p[v[2]].data();
-  return mesh.dimension() == 2 ? orient_against(normal.data(), a, b, c) : orient3d(a, b, c, p[v[3]].data());
+  std::array<Vec3, 4> corners;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(mesh.dimension()); ++i) corners[i] = p[v[i]];
+  return orientation_of_facet(mesh.dimension(), corners.data(), normal);
 }
 
 Vec3 mean_normal(const PeriodicDomain& domain) {
@@ -33,22 +34,6 @@ Vec3 mean_normal(const PeriodicDomain& domain) {
     sum[2] += signed_measure(domain, f, {0, 0, 1});
   }
   return sum.unit_or_zero();
-}
-
-TileStaysPositive::TileStaysPositive(const PeriodicDomain& domain)
-    : Invariant("tile stays positive", domain.tile()), domain_(domain), normal_(mean_normal(domain)) {}
-
-bool TileStaysPositive::after(const Event& event) {
-  const Mesh& mesh = event.tree.mesh(node());
-  const int around = event.operation == Operation::flip ? 1 : 0;
-  for (const Copy& c : event.copies.of(node())) {
-    // After a split, (a, c, ..): the new vertex is c.
-    const Dart d = event.operation == Operation::split ? mesh.reorder(c.dart, exchange_ends) : c.dart;
-    mesh.star(d, around, star_);
-    for (const Dart t : star_)
-      if (orientation(domain_, mesh.facet(t), normal_) <= 0) return false;
-  }
-  return true;
 }
 
 }  // namespace multimesh

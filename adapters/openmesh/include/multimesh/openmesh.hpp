@@ -5,5 +5,4 @@
 #include "multimesh/openmesh/attach.hpp"
 #include "multimesh/openmesh/edge_mesh.hpp"
 #include "multimesh/openmesh/make_mesh.hpp"
-#include "multimesh/openmesh/no_flips.hpp"
 #include "multimesh/openmesh/triangle_mesh.hpp"

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "multimesh/geometry/vector.hpp"
+#include "multimesh/keeps_orientation.hpp"
 #include "multimesh/openmesh/add_values.hpp"
 #include "multimesh/openmesh/attached_tree.hpp"
 #include "multimesh/openmesh/corner_values.hpp"
 #include "multimesh/openmesh/mean.hpp"
-#include "multimesh/openmesh/no_flips.hpp"
 #include "multimesh/openmesh/property_handle.hpp"
 
 namespace multimesh::openmesh {
@@ -98,7 +98,7 @@ class Attached : public AttachedTree {
   void forbid_flips() {
     require_texture(texcoords_ != nullptr && tree().contains(texcoords_->node()));
     if (std::exchange(without_flips_, texcoords_) == texcoords_) return;
-    keep(std::make_unique<NoFlips<TexCoord>>(*texcoords_));
+    keep(std::make_unique<KeepsOrientation>(*texcoords_, tree().mesh(texcoords_->node())));
   }
   /// Sets the texture coordinates of the mesh's halfedges, if the texture was not detached. \throw UsageError
   /// if add_texture() was not called. Cost: linear
