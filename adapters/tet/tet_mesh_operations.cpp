@@ -178,13 +178,6 @@ Dart TetMesh::after_split(const SplitRecord& record, Dart old, End end) const {
   return old;
 }
 
-template <class Visit>
-void TetMesh::for_each_table(const Visit& visit) {
-  for (const Links& l : links_)
-    if (l.table) visit(*l.table);
-  for (const auto& p : simplex_properties_) visit(p->table());
-}
-
 // For simplices that contain a and b. Links were removed before the split, and are restored after it.
 void TetMesh::halve_values(const Ring& ring, Index a, Index b, Index c) {
   for_each_table([&](SimplexTable& table) {

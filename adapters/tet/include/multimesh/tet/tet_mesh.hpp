@@ -80,6 +80,11 @@ class TetMesh final : public Mesh {
   Dart after_split(const SplitRecord& record, Dart old, End end) const override;
   Dart after_collapse(const CollapseRecord& record, Dart old) const override;
 
+  /// Splits the face of f = (x,y,z,w) at a new vertex m in its interior: each tetrahedron beside it becomes
+  /// three, in which m stands for x, y or z; (m,y,z,w) keeps the index, and its darts their codes. Its value
+  /// goes to all three parts of the face. Journaled. \return (m,y,z,w) \pre the mesh has no children
+  Dart split_face(Dart f);
+
   // --- journal
   Mark mark() const override { return log_.size(); }
   void rollback(Mark mark) override;
@@ -261,7 +266,14 @@ class TetMesh final : public Mesh {
   void halve_values(const Ring& ring, Index a, Index b, Index c);
   void rename_values(const std::vector<std::uint32_t>& star, const Ring& ring, Index a, Index b);
   template <class Visit>
-  void for_each_table(const Visit& visit);
+  void for_each_table(const Visit& visit) {
+    for (const Links& l : links_)
+      if (l.table) visit(*l.table);
+    for (const auto& p : simplex_properties_) visit(p->table());
+  }
+  using FaceParts = std::array<Index, 3>;
+  FaceParts split_side(std::uint32_t d, Index m);
+  void divide_value(const Index* face, Index m);
 
   // properties
   template <class T>
