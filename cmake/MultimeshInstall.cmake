@@ -17,6 +17,10 @@ if(MULTIMESH_WITH_TETGEN)
   install(FILES cmake/MultimeshTetgen.cmake DESTINATION "${package_dir}")
 endif()
 
+if(MULTIMESH_WITH_EXACT)
+  install(FILES cmake/MultimeshGmp.cmake DESTINATION "${package_dir}")
+endif()
+
 list(TRANSFORM libraries REPLACE "^multimesh_" "" OUTPUT_VARIABLE multimesh_components)
 list(FILTER multimesh_components EXCLUDE REGEX "^dep_")
 list(JOIN multimesh_components ", " multimesh_components)

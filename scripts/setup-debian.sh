@@ -9,6 +9,8 @@ packages=(cmake ninja-build g++ git ccache pkg-config
 
 # Tetrahedra (MULTIMESH_WITH_TETGEN). AGPL-3, unlike all the others.
 packages+=(libtet1.5-dev)
+# Exact coordinates (MULTIMESH_WITH_EXACT). LGPL-3 or GPL-2.
+packages+=(libgmp-dev)
 
 # HTML reports. NodeSource's nodejs brings an npm of its own, which Debian's npm conflicts with.
 command -v npm >/dev/null || packages+=(nodejs npm)
