@@ -10,7 +10,7 @@
 namespace multimesh::exact {
 
 using Rational = mpq_class;
-using RationalPoint = std::array<Rational, 3>;
+struct RationalPoint : std::array<Rational, 3> {};
 
 struct Point::Fractions {
   RationalPoint x;

@@ -9,8 +9,8 @@
 namespace multimesh::tetgen {
 
 struct DelaunayOptions {
-  /// How far the box reaches beyond the points on each side, relative to the diagonal of their bounding box;
-  /// in [0, 100]. With 0 the points themselves must have an extent along each axis.
+  /// How far the box reaches beyond the points, relative to the diagonal of their bounding box; up to 1.41
+  /// times as far, not the same on all sides. In [0, 100]. With 0 the points themselves must have an extent along each axis.
   double box_margin = 0.1;
   /// Adds the nodes of a grid that fills the box; a length, the upper bound of its steps along the axes. 0:
   /// no grid, only the eight corners of the box are added.
