@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "multimesh/algorithms/insertion/fronts.hpp"
+#include "multimesh/algorithms/insertion/thinning.hpp"
 #include "multimesh/error.hpp"
 
 namespace multimesh {
@@ -19,6 +20,12 @@ using insertion::Front;
 using insertion::Polygon;
 using insertion::Polygons;
 using insertion::SegmentWalk;
+using insertion::Thinning;
+
+/// Points are taken out again when they have become more by this factor.
+constexpr double growth = 1.2;
+/// New points per triangle, and for the planes that cross the grid.
+constexpr std::size_t points_per_triangle = 50, points_of_grid = 200'000;
 
 FacetList merged(const TriangleSoup& soup, const BackgroundMesh& background) {
   FacetList list = soup.triangles;
@@ -37,7 +44,11 @@ class Insertion {
         cells_(background.tets, background.points),
         walk_(cells_, options.snap, counts_),
         front_(cells_, walk_, options.snap, counts_),
-        most_points_(options.most_points > 0 ? options.most_points : 50 * soup.triangles.size() + 1000) {
+        most_points_(options.most_points > 0 ? options.most_points
+                                             : points_per_triangle * soup.triangles.size() + points_of_grid),
+        thinning_(cells_, static_cast<Index>(background.points.size())),
+        live_(background.points.size()),
+        next_thinning_(grown()) {
     for (Index i = 0; i < polygons_.all.size(); ++i)
       for (const Index t : polygons_.all[i].triangles)
         for (const Index v : soup.triangles.facet(t)) cells_.add_plane(background.merged_to[v], i);
@@ -46,6 +57,7 @@ class Insertion {
   Arrangement run() {
     insert_segments();
     insert_polygons();
+    thin();
     Arrangement result;
     result.report = report();
     find_again(result);  // segments are straight only before rounding
@@ -73,12 +85,23 @@ class Insertion {
     }
   }
 
+  // Between segments or polygons.
   void go_on(double share) {
-    if (counts_.points() > most_points_)
+    if (live_points() > next_thinning_) {
+      thin();
+      next_thinning_ = grown();
+    }
+    if (live_points() > live_ + most_points_)
       throw InputError("inserting the triangles takes more than " + std::to_string(most_points_) +
                        " new points: simplify the surface first, or allow more");
     if (options_.progress && ++steps_ % 1024 == 0) options_.progress(share);
   }
+
+  void thin() {
+    if (options_.thin) removed_ += thinning_.run();
+  }
+  std::size_t live_points() const { return live_ + counts_.points() - removed_; }
+  std::size_t grown() const { return static_cast<std::size_t>(growth * static_cast<double>(live_points())); }
 
   InsertReport report() const {
     InsertReport r;
@@ -90,8 +113,10 @@ class Insertion {
     r.crossings = counts_.planes;
     r.swapped = counts_.swaps;
     r.snapped = counts_.snapped;
+    r.removed = removed_;
     r.exact_points = cells_.exact_points();
-    for (Index v = 0; v < cells_.size(); ++v) r.bits = std::max(r.bits, cells_.point(v).bits());
+    for (Index v = 0; v < cells_.size(); ++v)
+      if (cells_.mesh().is_live(0, v)) r.bits = std::max(r.bits, cells_.point(v).bits());
     return r;
   }
 
@@ -143,7 +168,10 @@ class Insertion {
   Cells cells_;
   SegmentWalk walk_;
   Front front_;
-  std::size_t most_points_, steps_ = 0;
+  std::size_t most_points_, steps_ = 0, removed_ = 0;
+  Thinning thinning_;
+  std::size_t live_;  // before
+  std::size_t next_thinning_;
 };
 
 }  // namespace

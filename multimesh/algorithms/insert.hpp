@@ -32,9 +32,11 @@ struct InsertOptions {
   bool merge_coplanar = true;
   /// New points are moved to points of few digits of the same segment or plane, where that changes nothing.
   bool snap = true;
+  /// Points inside segments and polygons are taken out again where the surface is the same without them.
+  bool thin = true;
   /// Points are put at the nearest doubles in the end, where no tetrahedron is inverted by that.
   bool round = true;
-  /// More new points than this are refused; 0: 50 per triangle, and 1,000.
+  /// More new points than this are refused; 0: 50 per triangle, and 200,000.
   std::size_t most_points = 0;
   /// Called now and then with the share of what is done, in [0, 1]. May throw.
   std::function<void(double)> progress;
@@ -44,15 +46,15 @@ struct InsertReport {
   std::size_t polygons = 0, segments = 0, degenerate = 0;  ///< of the input; triangles without area
   std::size_t split_faces = 0, split_edges = 0;            ///< by segments
   std::size_t crossings = 0;                               ///< edges split by polygons
-  std::size_t swapped = 0, snapped = 0;
-  std::size_t bits = 53;         ///< of the longest coordinate, before rounding
-  std::size_t exact_points = 0;  ///< that are no doubles, before rounding
-  std::size_t unrounded = 0;     ///< after it
+  std::size_t swapped = 0, snapped = 0, removed = 0;       ///< points that were taken out again
+  std::size_t bits = 53;                                   ///< of the longest coordinate, before rounding
+  std::size_t exact_points = 0;                            ///< that are no doubles, before rounding
+  std::size_t unrounded = 0;                               ///< after it
 };
 
 /// The tetrahedra after insertion, and which of their faces the soup consists of.
 struct Arrangement {
-  std::vector<exact::Point> points;  ///< those of the background first
+  std::vector<exact::Point> points;  ///< those of the background first; some are no corner of a tetrahedron
   FacetList tets;                    ///< of positive volume, exactly
   FacetList faces;                   ///< those in the soup, each once, oriented as the first of its triangles
   /// Per face the polygons that contain it, from begin[f] on, and whether it runs as they do.

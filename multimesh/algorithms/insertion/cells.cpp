@@ -107,6 +107,19 @@ void Cells::swap_face(Dart face) {
   mesh_.forget();
 }
 
+bool Cells::collapse(Index v, Index p) {
+  const Dart edge = find_edge(v, p);
+  mesh_.star(edge, 0, star_);
+  const bool stay_positive = std::ranges::all_of(star_, [&](Dart d) {
+    const auto [a, x, y, z] = corners(positive(d));
+    return x == p || y == p || z == p || orientation(p, x, y, z) > 0;
+  });
+  if (!stay_positive || !mesh_.link_condition(edge)) return false;
+  mesh_.collapse_edge(edge, collapse_);
+  mesh_.forget();
+  return true;
+}
+
 std::vector<Index> Cells::common_planes(std::span<const Index> vertices) const {
   std::vector<Index> common = planes_[vertices[0]], both;
   for (const Index v : vertices.subspan(1)) {

@@ -53,6 +53,8 @@ class Cells {
   /// Replaces the tetrahedra on both sides of a face by those around the edge between their apexes. \pre that
   /// edge passes through the interior of the face
   void swap_face(Dart face);
+  /// Merges v into its neighbour p, if the mesh stays a complex and all tetrahedra positive.
+  bool collapse(Index v, Index p);
   /// Common planes of vertices.
   std::vector<Index> common_planes(std::span<const Index> vertices) const;
 
