@@ -23,12 +23,11 @@ double nearest_double(const Rational& x) {
   return below <= above ? low : high;
 }
 
-Vec3 nearest_doubles(const RationalPoint& x) {
-  return {nearest_double(x[0]), nearest_double(x[1]), nearest_double(x[2])};
-}
-
-Point make(RationalPoint x) {
-  return Point(std::make_shared<const Point::Fractions>(Point::Fractions{std::move(x)}));
+Point make(const RationalPoint& x) {
+  Point::Fractions f;
+  f.w = lcm(lcm(x[0].get_den(), x[1].get_den()), x[2].get_den());
+  for (std::size_t i = 0; i < 3; ++i) f.x[i] = x[i].get_num() * (f.w / x[i].get_den());
+  return Point(std::make_shared<const Point::Fractions>(std::move(f)));
 }
 
 RationalPoint along(const RationalPoint& a, const RationalPoint& way, const Rational& t) {
@@ -66,18 +65,20 @@ int sign_of_nearest(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
 
 }  // namespace
 
-Point::Point(std::shared_ptr<const Fractions> fractions)
-    : nearest_(nearest_doubles(fractions->x)), fractions_(std::move(fractions)) {
+Point::Point(std::shared_ptr<const Fractions> fractions) : fractions_(std::move(fractions)) {
+  const RationalPoint x = rational(*this);
   bool same = true;
-  for (std::size_t i = 0; i < 3; ++i) same = same && fractions_->x[i] == Rational(nearest_[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    nearest_[i] = nearest_double(x[i]);
+    same = same && x[i] == Rational(nearest_[i]);
+  }
   if (same) fractions_.reset();
 }
 
 std::size_t Point::bits() const {
   if (is_double()) return 53;
-  std::size_t most = 0;
-  for (const Rational& x : fractions_->x)
-    most = std::max({most, mpz_sizeinbase(x.get_num_mpz_t(), 2), mpz_sizeinbase(x.get_den_mpz_t(), 2)});
+  std::size_t most = mpz_sizeinbase(fractions_->w.get_mpz_t(), 2);
+  for (const mpz_class& x : fractions_->x) most = std::max(most, mpz_sizeinbase(x.get_mpz_t(), 2));
   return most;
 }
 
@@ -97,8 +98,7 @@ int orient3d(const Point& a, const Point& b, const Point& c, const Point& d) {
     return s;
   }
   ++decisions().fractions;
-  const RationalPoint o = rational(a);
-  return sgn(dot(cross(rational(b) - o, rational(c) - o), rational(d) - o));
+  return sign_of_fractions(a, b, c, d);
 }
 
 Point crossing(const Point& a, const Point& b, const Point& c, const Point& d, const Point& e) {
@@ -136,7 +136,7 @@ std::array<double, 2> position_in_plane(const Point& p, const Point& a, const Po
 
 bool equal(const Point& p, const Point& q) {
   if (p.is_double() && q.is_double()) return p.nearest() == q.nearest();
-  return !p.is_double() && !q.is_double() && p.fractions()->x == q.fractions()->x;
+  return !p.is_double() && !q.is_double() && rational(p) == rational(q);
 }
 
 }  // namespace multimesh::exact

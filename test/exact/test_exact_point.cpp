@@ -162,7 +162,7 @@ TEST(ExactPoint, DoublesAreEnoughForDyadicPoints) {
   EXPECT_EQ(p.bits(), 53U);
   const Point third = crossing(Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1));
   EXPECT_FALSE(third.is_double());
-  EXPECT_EQ(third.bits(), 2U);
+  EXPECT_EQ(third.bits(), 2U);  // (1,1,1)/3
   EXPECT_FALSE(equal(third, Point(third.nearest())));
 }
 

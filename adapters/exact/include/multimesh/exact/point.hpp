@@ -20,7 +20,7 @@ class Point {
   const Vec3& nearest() const noexcept { return nearest_; }
   /// Whether it is the point nearest().
   bool is_double() const noexcept { return fractions_ == nullptr; }
-  /// The digits of the longest numerator or denominator; 53 for doubles.
+  /// The binary digits of the longest numerator or of the common denominator; 53 for doubles.
   std::size_t bits() const;
 
   struct Fractions;  ///< private to the implementation
