@@ -14,7 +14,6 @@ install(FILES "${PROJECT_BINARY_DIR}/include/multimesh/version.hpp" DESTINATION 
 
 if(MULTIMESH_WITH_TETGEN)
   install(TARGETS multimesh_tetgen_worker DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/multimesh")
-  install(FILES cmake/MultimeshTetgen.cmake DESTINATION "${package_dir}")
 endif()
 
 if(MULTIMESH_WITH_EXACT)

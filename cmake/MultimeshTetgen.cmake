@@ -1,19 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# TetGen 1.5 as one imported target, multimesh_dep_tetgen. TetGen has no CMake package of its own. Used by the
-# build, and installed for the projects that link multimesh::tetgen.
+# TetGen 1.5 as one imported target, multimesh_dep_tetgen. TetGen has no CMake package of its own.
 
 if(NOT TARGET multimesh_dep_tetgen)
   find_path(TETGEN_INCLUDE_DIR tetgen.h)
   find_library(TETGEN_LIBRARY NAMES tet tetgen)
   if(NOT TETGEN_INCLUDE_DIR OR NOT TETGEN_LIBRARY)
-    string(CONCAT reason "multimesh::tetgen needs TetGen 1.5 (AGPL-3). "
+    string(CONCAT reason "the worker of multimesh::tetgen_client needs TetGen 1.5 (AGPL-3). "
       "On Debian and Ubuntu: apt-get install libtet1.5-dev (or scripts/setup-debian.sh). "
       "Elsewhere: set TETGEN_INCLUDE_DIR to the folder of tetgen.h, and TETGEN_LIBRARY. ")
-    if(CMAKE_FIND_PACKAGE_NAME)
-      set(${CMAKE_FIND_PACKAGE_NAME}_NOT_FOUND_MESSAGE "${reason}")
-      set(${CMAKE_FIND_PACKAGE_NAME}_FOUND FALSE)
-      return()
-    endif()
     message(FATAL_ERROR "${reason}Without it: -DMULTIMESH_WITH_TETGEN=OFF.")
   endif()
   add_library(multimesh_dep_tetgen UNKNOWN IMPORTED GLOBAL)

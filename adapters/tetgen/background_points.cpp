@@ -96,7 +96,7 @@ void check(const DelaunayOptions& o) {
 
 }  // namespace
 
-Box background_box(std::span<const Point> points, const DelaunayOptions& options) {
+Box background_box(std::span<const Point> points, const DelaunayOptions& options, unsigned attempt) {
   check(options);
   if (points.empty()) return {{0, 0, 0}, {1, 1, 1}};
   Box box{points[0], points[0]};
@@ -111,8 +111,8 @@ Box background_box(std::span<const Point> points, const DelaunayOptions& options
   if (!(diagonal >= least_extent && diagonal <= most_extent))
     throw InputError("the points extend over " + std::to_string(diagonal) + ": scale them to about 1");
   for (std::size_t i = 0; i < 3; ++i) {
-    box.low[i] -= unequal[2 * i] * options.box_margin * diagonal;
-    box.high[i] += unequal[2 * i + 1] * options.box_margin * diagonal;
+    box.low[i] -= unequal[(2 * i + attempt) % 6] * options.box_margin * diagonal;
+    box.high[i] += unequal[(2 * i + 1 + attempt) % 6] * options.box_margin * diagonal;
     // TetGen treats points flatter than 1e-8 as flat; so do coordinates far from 0, whose precision is too
     // coarse.
     if (!(box.high[i] - box.low[i] > 1e-7 * diagonal))

@@ -13,8 +13,11 @@ struct Box {
   Point low{}, high{};
 };
 
+/// How many boxes there are for the same points: those of attempt 0, 1, ...
+inline constexpr unsigned boxes = 6;
+
 /// The box around the points, with the margin. \throw InputError, UsageError as delaunay()
-Box background_box(std::span<const Point> points, const DelaunayOptions& options);
+Box background_box(std::span<const Point> points, const DelaunayOptions& options, unsigned attempt = 0);
 
 /// The points to be added: the corners of the box, and the nodes of the grid. None of them equals one of the
 /// input points. \throw InputError, UsageError as delaunay()

@@ -10,7 +10,8 @@ namespace multimesh::tetgen {
 
 struct DelaunayOptions {
   /// How far the box reaches beyond the points, relative to the diagonal of their bounding box; up to 1.41
-  /// times as far, not the same on all sides. In [0, 100]. With 0 the points themselves must have an extent along each axis.
+  /// times as far, not the same on all sides. In [0, 100]. With 0 the points themselves must have an extent
+  /// along each axis.
   double box_margin = 0.1;
   /// Adds the nodes of a grid that fills the box; a length, the upper bound of its steps along the axes. 0:
   /// no grid, only the eight corners of the box are added.
@@ -25,12 +26,12 @@ struct DelaunayMesh : TetrahedraList {
   std::vector<Index> merged_to;  ///< per input point: the first one that is equal, possibly itself
 };
 
-/// Delaunay tetrahedralization of the points in a box. The result depends only on the input. Runs in this
-/// process, one call at a time: TetGen is not thread-safe, and calls from other threads wait here. Cost: 10
-/// µs per random point, 30 on a grid, where the predicates are exact; 1 KB. Without points the box is the
-/// unit cube. \throw InputError if a coordinate is not finite (naming the point), if the points are flat and
-/// box_margin is 0, or extend over less than 1e-40 or more than 1e40, or are too many, the grid's included.
-/// \throw UsageError if an option is out of its range
+/// Delaunay tetrahedralization of the points in a box, by TetGen in a process of its own. The result depends
+/// only on the input. Cost: 10 us per random point, 30 on a grid, where the predicates are exact; 1 KB.
+/// Without points the box is the unit cube. \throw InputError if a coordinate is not finite (naming the
+/// point), if the points are flat and box_margin is 0, or extend over less than 1e-40 or more than 1e40, or
+/// are too many, the grid's included. \throw UsageError if an option is out of its range; std::runtime_error
+/// if the process fails
 DelaunayMesh delaunay(std::span<const Point> points, const DelaunayOptions& options = {});
 
 }  // namespace multimesh::tetgen
