@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "multimesh/error.hpp"
+#include "multimesh/geometry/closest_point.hpp"
 #include "multimesh/hash.hpp"
 
 namespace multimesh::tetgen {
@@ -68,6 +69,48 @@ class NearPoints {
   double radius_;
   std::unordered_map<Cell, Index, ArrayHash> first_;
   std::vector<Index> next_;
+};
+
+/// Marks the nodes of the grid that are nearer than `radius` to a triangle.
+class NearTriangles {
+ public:
+  using Steps = std::array<std::size_t, 3>;
+  template <class Node>
+  NearTriangles(std::span<const Point> points, const FacetList& triangles, const Box& box, const Steps& steps,
+                double radius, const Node& node)
+      : steps_(steps), near_((steps[0] + 1) * (steps[1] + 1) * (steps[2] + 1), false) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const auto v = triangles.facet(t);
+      const std::array<Vec3, 3> p{points[v[0]], points[v[1]], points[v[2]]};
+      const Vec3 low = min(min(p[0], p[1]), p[2]), high = max(max(p[0], p[1]), p[2]);
+      Steps from{}, to{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double step = (box.high[i] - box.low[i]) / static_cast<double>(steps[i]);
+        const auto clamped = [&](double x) {
+          return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(steps[i])));
+        };
+        from[i] = clamped(std::floor((low[i] - radius - box.low[i]) / step));
+        to[i] = clamped(std::ceil((high[i] + radius - box.low[i]) / step));
+      }
+      for (std::size_t z = from[2]; z <= to[2]; ++z)
+        for (std::size_t y = from[1]; y <= to[1]; ++y)
+          for (std::size_t x = from[0]; x <= to[0]; ++x)
+            if (const std::size_t i = index(x, y, z); !near_[i])
+              near_[i] = squared_distance({node(0, x), node(1, y), node(2, z)}, p) < radius * radius;
+    }
+  }
+  bool any(std::size_t x, std::size_t y, std::size_t z) const { return near_[index(x, y, z)]; }
+
+ private:
+  static double squared_distance(const Vec3& x, const std::array<Vec3, 3>& p) {
+    return spatial::closest_point(x, {p[0], p[1], p[2]}).squared_distance;
+  }
+  std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
+    return (z * (steps_[1] + 1) + y) * (steps_[0] + 1) + x;
+  }
+
+  Steps steps_;
+  std::vector<bool> near_;
 };
 
 /// How many steps the grid has along each axis; 1 without one.
@@ -135,6 +178,7 @@ std::vector<Point> background_points(std::span<const Point> points, const Box& b
     const double t = static_cast<double>(step) / static_cast<double>(steps[axis]);
     return step == steps[axis] ? box.high[axis] : box.low[axis] + t * (box.high[axis] - box.low[axis]);
   };
+  const NearTriangles near_triangles(points, options.triangles, box, steps, radius, node);
   std::vector<Point> added;
   for (std::size_t z = 0; z <= steps[2]; ++z)
     for (std::size_t y = 0; y <= steps[1]; ++y)
@@ -143,8 +187,8 @@ std::vector<Point> background_points(std::span<const Point> points, const Box& b
         const bool is_corner =
             (x == 0 || x == steps[0]) && (y == 0 || y == steps[1]) && (z == 0 || z == steps[2]);
         // The corners stay, so that the box is filled, unless the margin is 0 and a point is there already.
-        const bool is_taken =
-            is_corner ? std::find(points.begin(), points.end(), p) != points.end() : near.any(p);
+        const bool is_taken = is_corner ? std::find(points.begin(), points.end(), p) != points.end()
+                                        : near.any(p) || near_triangles.any(x, y, z);
         if (!is_taken) added.push_back(p);
       }
   return added;

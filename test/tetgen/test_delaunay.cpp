@@ -159,6 +159,30 @@ TEST(Delaunay, AGridFillsTheBoxAndKeepsAwayFromThePoints) {
     }
 }
 
+TEST(Delaunay, AGridKeepsAwayFromTriangles) {
+  const std::vector<Point> points{{0, 0, 0}, {1, 0.1, 0.2}, {0.1, 1, 0.7}};
+  DelaunayOptions options{.grid_spacing = 0.06};
+  const std::size_t all = delaunay(points, options).points.size();
+  options.triangles = {2, 3, {0, 1, 2}};
+  const DelaunayMesh mesh = delaunay(points, options);
+  expect_filled_box(mesh, points);
+  EXPECT_LT(mesh.points.size() + 50, all);  // the area is that of more than 150 squares of the grid
+  for (std::size_t i = 3; i < mesh.points.size(); ++i) {
+    const Point& q = mesh.points[i];
+    double least = 1;
+    for (int a = 0; a <= 100; ++a)  // points of the triangle
+      for (int b = 0; a + b <= 100; ++b) {
+        double squared = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double x = (a * points[0][k] + b * points[1][k] + (100 - a - b) * points[2][k]) / 100;
+          squared += (x - q[k]) * (x - q[k]);
+        }
+        least = std::min(least, squared);
+      }
+    EXPECT_GE(std::sqrt(least), 0.029) << i;
+  }
+}
+
 TEST(Delaunay, IsTheSameAgainAndForAnyScale) {
   const std::vector<Point> points = random_points(300, 2);
   const DelaunayMesh mesh = delaunay(points);

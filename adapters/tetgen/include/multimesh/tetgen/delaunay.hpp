@@ -16,8 +16,10 @@ struct DelaunayOptions {
   /// Adds the nodes of a grid that fills the box; a length, the upper bound of its steps along the axes. 0:
   /// no grid, only the eight corners of the box are added.
   double grid_spacing = 0;
-  /// Grid nodes nearer than this to an input point are left out, relative to grid_spacing; in [0, 1].
+  /// Grid nodes nearer than this to an input point, or to one of the triangles, are left out; relative to
+  /// grid_spacing; in [0, 1].
   double grid_clearance = 0.5;
+  FacetList triangles{2, 0, {}};  ///< of the points
 };
 
 /// The Delaunay tetrahedra of a box with points in it. The input's points come first, in its order, followed
