@@ -194,15 +194,17 @@ void run_on_tile(const ImproveArguments& a, RunReport& report) {
       a.relative_envelope > 0 ? a.relative_envelope * domain.diagonal() : a.options.envelope;
   if (envelope > 0) options.confined = in_envelope(domain, envelope);
   const TileTopology before = topology_of(domain);
-  const Json tile_before = tools::to_json(domain);
-  Json tile_after;
+  Json tile_before, tile_after;
+  if (report.wanted()) tile_before = tools::to_json(domain, before);
   const ImproveResult r =
       io::naming(a.input, [&] { return improve(domain.embedding(sides), domain.tile(), options); });
   const double sizes = envelope > 0 ? options.keep_volume : 1e-9;
-  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), sizes, a.periodic, tile_after),
+  const TileTopology after = topology_of(domain);
+  add(write_tile_outputs(a.output, before, after, domain, file, a.format.options(), sizes, a.periodic),
       file.warnings);
   for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
   report.json() = to_json(a, r);
+  if (report.wanted()) tile_after = tools::to_json(domain, after);
   report.json()["periodic"] = {{"sides", name_of(sides)}, {"before", tile_before}, {"after", tile_after}};
   if (!report.is_printed()) print(a, r);
   report.finish(file.warnings);

@@ -208,7 +208,7 @@ void run_on_tile(const InfoArguments& a, RunReport& report) {
   const auto [file, domain] = read_periodic(a.input, a.periodic);
   const TileTopology t = topology_of(domain);
   Json& j = report.json();
-  j = {{"file", a.input}, {"periodic", to_json(domain)}};
+  j = {{"file", a.input}, {"periodic", to_json(domain, t)}};
   Json& p = j["periodic"];
   p["mismatch"] = domain.report().largest_shift;
   p["surface"] = {{"euler_characteristic", t.surface_euler}, {"components", t.surface.components}};

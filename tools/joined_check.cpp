@@ -63,11 +63,11 @@ std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output,
 }
 
 std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output, const TileTopology& before,
-                                            const PeriodicDomain& domain, const PeriodicDomain& again,
+                                            const TileTopology& after, const PeriodicDomain& domain,
                                             const files::DomainGroups& groups,
                                             const io::SimplexWriteOptions& options, double sizes) {
   return write_or_keep_aside(
-      output, differences(before, topology_of(again), sizes),
+      output, differences(before, after, sizes),
       [&](const std::filesystem::path& path) { return files::write_tile(path, domain, groups, options); });
 }
 

@@ -36,10 +36,10 @@ std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output,
                                             const SurfaceTopology& before, const TexturedSurface& surface,
                                             const files::SurfaceFile& file);
 
-/// Writes a tile, if its topology is that of the input. `again`: what a reader of the file will make of it.
-/// `sizes`: by how much of itself the size of a region may have changed. \return as files::write_tile()
+/// Writes a tile, if its topology, `after`, is that of the input. `sizes`: by how much of itself the size of
+/// a region may have changed. \return as files::write_tile()
 std::vector<std::string> write_if_same_mesh(const std::filesystem::path& output, const TileTopology& before,
-                                            const PeriodicDomain& domain, const PeriodicDomain& again,
+                                            const TileTopology& after, const PeriodicDomain& domain,
                                             const files::DomainGroups& groups,
                                             const io::SimplexWriteOptions& options, double sizes);
 

@@ -141,12 +141,11 @@ void check_tile_outputs(const std::string& input, const std::string& output, con
 }
 
 std::vector<std::string> write_tile_outputs(const std::string& output, const TileTopology& before,
-                                            const PeriodicDomain& domain, const files::TileFile& file,
+                                            const TileTopology& after, const PeriodicDomain& domain,
+                                            const files::TileFile& file,
                                             const io::SimplexWriteOptions& options, double sizes,
-                                            const PeriodicArguments& a, Json& after) {
-  const PeriodicDomain again(domain.tile_lists(), domain.gluing());
-  auto warnings = write_if_same_mesh(output, before, domain, again, file.groups, options, sizes);
-  after = to_json(again);
+                                            const PeriodicArguments& a) {
+  auto warnings = write_if_same_mesh(output, before, after, domain, file.groups, options, sizes);
   if (!a.pair_table.empty()) files::write_pair_table(a.pair_table, domain, options.order);
   if (!a.equations.empty()) files::write_abaqus_equations(a.equations, domain, options.order);
   return warnings;
@@ -159,8 +158,7 @@ std::vector<std::string> dropped_from_sides(std::size_t n) {
           "are free"};
 }
 
-Json to_json(const PeriodicDomain& now) {
-  const PeriodicReport& r = now.report();
+Json to_json(const PeriodicDomain& now, const TileTopology& t) {
   Json j;
   j["periods"] = Json::object();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -170,20 +168,20 @@ Json to_json(const PeriodicDomain& now) {
     const Vec3 v = now.lattice().shift(unit);
     j["periods"][std::string(1, "xyz"[i])] = {v[0], v[1], v[2]};
   }
-  j["glued"] = {{"vertices", r.simplices[0]},
-                {"edges", r.simplices[1]},
-                {"triangles", r.simplices[2]},
-                {"tetrahedra", r.simplices[3]},
-                {"euler_characteristic", r.euler}};
+  j["glued"] = {{"vertices", t.simplices[0]},
+                {"edges", t.simplices[1]},
+                {"triangles", t.simplices[2]},
+                {"tetrahedra", t.simplices[3]},
+                {"euler_characteristic", t.euler}};
   j["copies"] = Json::object();
-  for (std::size_t n = 1; n < r.with_copies.size(); ++n)
-    if (r.with_copies[n] > 0) j["copies"][std::to_string(n)] = r.with_copies[n];
+  for (std::size_t n = 1; n < t.with_copies.size(); ++n)
+    if (t.with_copies[n] > 0) j["copies"][std::to_string(n)] = t.with_copies[n];
   j["sides"] = Json::array();
   for (const PeriodicSide& side : now.sides())
     j["sides"].push_back({{"vector", multimesh::name_of(side.shift)}, {"faces", side.master.size()}});
   j["flat_sides"] = now.has_flat_sides();
-  j["mismatch"] = now.mismatch();
-  j["inverted"] = r.inverted_facets;
+  j["mismatch"] = t.mismatch;
+  j["inverted"] = t.inverted;
   return j;
 }
 

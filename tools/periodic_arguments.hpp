@@ -49,15 +49,15 @@ const char* name_of(TileSides sides);
 void check_tile_outputs(const std::string& input, const std::string& output, const SimplexFormat& format,
                         const PeriodicArguments& a);
 
-/// Writes the tile as write_if_same_mesh() does, then the tables. `after`: describes what was written.
+/// Writes the tile as write_if_same_mesh() does, then the tables.
 std::vector<std::string> write_tile_outputs(const std::string& output, const TileTopology& before,
-                                            const PeriodicDomain& domain, const files::TileFile& file,
+                                            const TileTopology& after, const PeriodicDomain& domain,
+                                            const files::TileFile& file,
                                             const io::SimplexWriteOptions& options, double sizes,
-                                            const PeriodicArguments& a, Json& after);
+                                            const PeriodicArguments& a);
 /// A sentence, if anything was dropped.
 std::vector<std::string> dropped_from_sides(std::size_t n);
 
-/// \pre nothing was done to the domain since it was made
-Json to_json(const PeriodicDomain& domain);
+Json to_json(const PeriodicDomain& domain, const TileTopology& topology);
 
 }  // namespace multimesh::tools

@@ -47,18 +47,20 @@ void remesh_tile(RemeshArguments& a, RunReport& report) {
   const TileSides usual = domain.has_flat_sides() ? TileSides::flat : TileSides::free;
   const TileRemeshOptions options{a.options, requested_sides(a.periodic).value_or(usual)};
   const TileTopology before = topology_of(domain);
-  const Json tile_before = to_json(domain);
-  Json tile_after;
+  Json tile_before, tile_after;
+  if (report.wanted()) tile_before = to_json(domain, before);
   const TileRemeshResult r = io::naming(a.input, [&] { return remesh(domain, options); });
   warn_of_lengths(a, r, file.warnings);
-  warn_of_sizes("area", before.sizes, topology_of(domain).sizes, much_of_area,
-                "a smaller --length or --feature-angle", file.warnings);
+  const TileTopology after = topology_of(domain);
+  warn_of_sizes("area", before.sizes, after.sizes, much_of_area, "a smaller --length or --feature-angle",
+                file.warnings);
   add(dropped_from_sides(r.dropped_listed), file.warnings);
   constexpr double any = std::numeric_limits<double>::infinity();
-  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), any, a.periodic, tile_after),
+  add(write_tile_outputs(a.output, before, after, domain, file, a.format.options(), any, a.periodic),
       file.warnings);
   report.json() = to_json(a, r);
   report.json()["options"]["feature_angle_degrees"] = a.periodic.corner_angle;
+  if (report.wanted()) tile_after = to_json(domain, after);
   report.json()["periodic"] = {
       {"sides", name_of(options.sides)}, {"before", tile_before}, {"after", tile_after}};
   report.finish(file.warnings, a.quiet);

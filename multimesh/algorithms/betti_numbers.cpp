@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-
-#include "multimesh/pair_numbers.hpp"
+#include <utility>
 
 namespace multimesh {
 
@@ -65,7 +64,7 @@ class Unknowns {
 class LoopCounter {
  public:
   explicit LoopCounter(const FacetList& facets)
-      : facets_(facets), edges_(facets.vertices), local_(facets.vertices, no_index) {
+      : facets_(facets), values_(facets.vertices), local_(facets.vertices, no_index) {
     first_.assign(std::size_t{facets.vertices} + 1, 0);
     for (const Index v : facets.corners) ++first_[v + 1];
     for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
@@ -125,35 +124,41 @@ class LoopCounter {
     for (const Index w : lower_) local_[w] = no_index;
   }
 
-  Sum& value(Index v, Index w) {
-    const Index e = edges_(v, w);
-    if (e == values_.size()) values_.emplace_back();
-    return values_[e];
+  /// Of an edge between two earlier vertices.
+  const Sum& value(Index v, Index w) const {
+    static const Sum zero;
+    if (rank_[v] < rank_[w]) std::swap(v, w);
+    for (const auto& [other, sum] : values_[v])
+      if (other == w) return sum;
+    return zero;
   }
 
   void add_vertex(Index v) {
     read_lower_link(v);
     reached_.assign(lower_.size(), false);
+    here_.assign(lower_.size(), {});
     for (Index part = 0; part < lower_.size(); ++part) {
       if (reached_[part]) continue;
-      value(v, lower_[part]) = part == 0 ? Sum{} : unknowns_.add();
+      if (part != 0) here_[part] = unknowns_.add();
       reached_[part] = true;
       queue_.assign(1, part);
-      for (std::size_t q = 0; q < queue_.size(); ++q) spread(v, queue_[q]);
+      for (std::size_t q = 0; q < queue_.size(); ++q) spread(queue_[q]);
     }
+    for (std::size_t i = 0; i < lower_.size(); ++i)
+      if (!here_[i].empty()) values_[v].emplace_back(lower_[i], std::move(here_[i]));
   }
 
-  void spread(Index v, Index from) {
+  void spread(Index from) {
     for (auto p = std::lower_bound(pairs_.begin(), pairs_.end(), std::array<Index, 2>{from, 0});
          p != pairs_.end() && (*p)[0] == from; ++p) {
       const Index to = (*p)[1];
-      Sum sum = value(v, lower_[from]) + value(lower_[from], lower_[to]);
+      Sum sum = here_[from] + value(lower_[from], lower_[to]);
       if (reached_[to]) {
-        if (from < to) unknowns_.require_zero(sum + value(v, lower_[to]));
+        if (from < to) unknowns_.require_zero(sum + here_[to]);
         continue;
       }
       unknowns_.reduce(sum);
-      value(v, lower_[to]) = std::move(sum);
+      here_[to] = std::move(sum);
       reached_[to] = true;
       queue_.push_back(to);
     }
@@ -163,8 +168,8 @@ class LoopCounter {
   std::vector<Index> first_,
       around_;  // facets around a vertex v: around_[first_[v]] .. around_[first_[v + 1]]
   std::vector<Index> rank_, order_;
-  PairNumbers edges_;
-  std::vector<Sum> values_;  // by edge
+  std::vector<std::vector<std::pair<Index, Sum>>> values_;  // of edges to earlier vertices, but for zeros
+  std::vector<Sum> here_;                                   // of those from the vertex being added
   Unknowns unknowns_;
   std::vector<Index> local_, lower_, queue_;
   std::vector<std::array<Index, 2>> pairs_;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "multimesh/algorithms/improve.hpp"
+#include "multimesh/algorithms/tile_topology.hpp"
 #include "multimesh/domains/periodic_domain.hpp"
 #include "multimesh/embedding.hpp"
 #include "multimesh/geometry/orient3d.hpp"
@@ -240,6 +241,39 @@ TEST(ImproveTile, NeedsTetrahedra) {
   PeriodicDomain domain(test::square_tile(4, 4), test::along(true, true, false));
   const Embedding embedding = domain.embedding();
   EXPECT_THROW((void)improve(embedding, domain.tile()), UsageError);
+}
+
+std::array<std::size_t, 4> count_live(const Mesh& mesh) {
+  std::array<std::size_t, 4> n{};
+  for (int k = 0; k <= mesh.dimension(); ++k)
+    for (Index s = 0; s < mesh.capacity(k); ++s)
+      n[static_cast<std::size_t>(k)] += mesh.is_live(k, s) && mesh.dart_of(k, s) != no_dart;
+  return n;
+}
+
+TEST(TileTopology, ReadFromListsIsThatOfTheGluedMesh) {
+  const auto everywhere = test::along(true, true, true);
+  for (const auto& [tile, options] : {std::pair{test::cube_tile(4), everywhere},
+                                      {crooked_tile(1), everywhere},
+                                      {test::cube_tile(4), test::along(false, true, true)},
+                                      {test::square_tile(4, 5), everywhere}}) {
+    PeriodicDomain domain(tile, options);
+    for (const bool changed : {false, true}) {
+      if (changed && tile.facets.dimension == 3) {
+        ImproveOptions improve_options;
+        improve_options.target_amips = 3.5;
+        improve_options.max_passes = 2;
+        improve(domain.embedding(), domain.tile(), improve_options);
+      }
+      const TileTopology t = topology_of(domain);
+      EXPECT_EQ(t.simplices, count_live(domain.tree().mesh(NodeId::root)));
+      EXPECT_EQ(t.improper, 0U);
+      if (changed) continue;
+      EXPECT_EQ(t.simplices, domain.report().simplices);
+      EXPECT_EQ(t.euler, domain.report().euler);
+      EXPECT_EQ(t.with_copies, domain.report().with_copies);
+    }
+  }
 }
 
 }  // namespace

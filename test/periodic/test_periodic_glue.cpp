@@ -2,8 +2,11 @@
 // What the glued tile is: numbers of simplices, copies, legal collapses, homology.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <random>
 
+#include "multimesh/cut.hpp"
 #include "multimesh/validate.hpp"
 #include "test/periodic/betti.hpp"
 #include "test/periodic/tiles.hpp"
@@ -225,6 +228,30 @@ TEST(PeriodicNotManifold, ARootIsCutWhereCopiesTouchInAPoint) {
   EXPECT_EQ(domain.report().cut_vertices, 1U);       // in the middle
   EXPECT_EQ(domain.report().cut_root_vertices, 2U);  // and there
   EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+}
+
+TEST(PeriodicNotManifold, TilesWithHolesAnywhereAreCutLikeTilesWithoutPeriods) {
+  std::mt19937 random(1);
+  std::array<int, 2> seen{};  // manifold ones, others
+  for (int round = 0; round < 400; ++round) {
+    PeriodicTile tile = cube_tile(4);
+    std::vector<Index> corners;
+    const unsigned holes = round % 2 == 0 ? 3 : 60;  // of 384 tetrahedra
+    for (std::size_t t = 0; t < tile.facets.size(); ++t)
+      if (random() % 384 >= holes)
+        for (const Index v : tile.facets.facet(t)) corners.push_back(v);
+    tile.facets.corners = corners;
+    if (!refusal(tile, along(true, true, true)).empty()) continue;
+    const PeriodicDomain domain(tile, along(true, true, true));
+    std::ranges::sort(corners);
+    const auto used = std::unique(corners.begin(), corners.end()) - corners.begin();
+    const std::size_t copies = cut(tile.facets).source.size() - static_cast<std::size_t>(used);
+    EXPECT_EQ(domain.report().cut_vertices, copies);
+    EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+    ++seen[copies > 0 ? 1 : 0];
+  }
+  EXPECT_GE(seen[0], 20);
+  EXPECT_GE(seen[1], 20);
 }
 
 TEST(PeriodicNotManifold, TilesThatOverlapTheirCopiesAreRefused) {

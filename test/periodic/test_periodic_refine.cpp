@@ -99,9 +99,9 @@ TEST(PeriodicRefinement, EndsByLongestEdgesAlone) {
       tile.offset.push_back({static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2])});
     tile.vertex_class.assign(in.points.size(), 0);
     tile.classes = 1;
-    EXPECT_TRUE(too_short(QuotientEdges(tile)));
+    EXPECT_TRUE(too_short(tile));
     refine_tile(tile, 0);
-    EXPECT_FALSE(too_short(QuotientEdges(tile)));
+    EXPECT_FALSE(too_short(tile));
     EXPECT_FALSE(double_facet(tile));
     EXPECT_LT(tile.facets.size(), d == 2 ? 72U : 3456U);
     std::cout << "by longest edges: " << in.facets.size() << " -> " << tile.facets.size() << " facets\n";

@@ -3,31 +3,49 @@
 
 #include "multimesh/domains/periodic_domain.hpp"
 #include "multimesh/domains/periodic_domain/domain_data.hpp"
+#include "multimesh/faces.hpp"
 
 namespace multimesh {
 
 namespace {
 
-std::size_t count_simplices(const Mesh& mesh, int k) {
-  std::size_t n = 0;
-  for (Index s = 0; s < mesh.capacity(k); ++s) n += mesh.is_live(k, s);
-  return n;
+/// Faces follow from facets and the boundary; so do edges, because the Euler characteristic of a manifold of
+/// odd dimension is half of that of its boundary, a closed surface.
+void count_faces(const Mesh& root, PeriodicReport& report) {
+  auto& n = report.simplices;
+  const int d = root.dimension();
+  std::size_t rim = 0;
+  std::vector<bool> on_rim(root.capacity(0), false);
+  for (Index f = 0; f < root.capacity(d); ++f)
+    for (const Permutation face : faces_around(d, d - 1, -1)) {
+      const Dart dart = root.reorder(root.dart_of(d, f), face);
+      if (!root.is_boundary(dart, d - 1)) continue;
+      Index v[4];
+      root.vertices(dart, v);
+      ++rim;
+      for (int i = 0; i < d; ++i) on_rim[v[i]] = true;
+    }
+  const auto corners = static_cast<std::size_t>(d + 1);
+  const std::size_t sides = (corners * root.capacity(d) + rim) / 2;
+  n[corners - 2] = sides;
+  if (d == 3) {
+    const long rim_euler = std::count(on_rim.begin(), on_rim.end(), true) - static_cast<long>(rim) / 2;
+    n[1] = static_cast<std::size_t>(static_cast<long>(n[0] + sides - n[3]) - rim_euler / 2);
+  }
+  for (std::size_t k = 0; k < 4; ++k) report.euler += (k % 2 == 0 ? 1 : -1) * static_cast<long>(n[k]);
 }
 
-void count(const MultiMesh& tree, NodeId tile, PeriodicReport& report) {
-  const Mesh& root = tree.mesh(NodeId::root);
-  for (int k = 0; k <= root.dimension(); ++k) {
-    const std::size_t n = count_simplices(root, k);
-    report.simplices[static_cast<std::size_t>(k)] = n;
-    report.euler += (k % 2 == 0 ? 1 : -1) * static_cast<long>(n);
-  }
-  DartBuffer copies;
-  for (Index v = 0; v < root.capacity(0); ++v) {
-    copies.clear();
-    tree.to_child(tile, root.dart_of(0, v), 0, copies);
-    if (report.with_copies.size() <= copies.size()) report.with_copies.resize(copies.size() + 1);
-    ++report.with_copies[copies.size()];
-  }
+void count(const GluedTile& glued, PeriodicReport& report) {
+  report.simplices[0] = glued.root.vertices;
+  report.simplices[static_cast<std::size_t>(glued.root.dimension)] = glued.root.size();
+  std::vector<Index> image(glued.source.size(), no_index);
+  for (std::size_t c = 0; c < glued.root.corners.size(); ++c)
+    image[glued.tile.corners[c]] = glued.root.corners[c];
+  std::vector<std::size_t> copies(glued.root.vertices, 0);
+  for (const Index v : image)
+    if (v != no_index) ++copies[v];
+  report.with_copies.assign(std::ranges::max(copies) + 1, 0);
+  for (const std::size_t n : copies) ++report.with_copies[n];
 }
 
 }  // namespace
@@ -36,8 +54,9 @@ PeriodicDomain::PeriodicDomain(const PeriodicTile& tile, const PeriodicOptions& 
   PeriodicReport report;
   PreparedTile prepared = prepare_tile(tile, options, report);
   GluedTile glued = glue_tile(prepared.tile, report);
+  count(glued, report);
   data_ = std::make_unique<Data>(std::move(prepared), std::move(glued), std::move(report), tile);
-  count(data_->tree, data_->tile, data_->report);
+  count_faces(data_->tree.mesh(NodeId::root), data_->report);
   data_->add_listed(tile, options);
   const Vec3 normal = mean_normal(*this);
   const Mesh& mesh = data_->tree.mesh(data_->tile);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "multimesh/domains/oriented_parts.hpp"
+#include "multimesh/domains/periodic_domain/tile_links.hpp"
 
 namespace multimesh {
 
@@ -51,6 +52,19 @@ void turn_positive(const LabelledTile& tile, FacetList& list, FacetList& root, s
     }
 }
 
+// If there is nothing to cut, the input's numbers stay.
+void cut_tile(const LabelledTile& tile, GluedTile& glued, PeriodicReport& report) {
+  Cut own = cut(glued.tile);
+  const auto used = static_cast<std::size_t>(std::count_if(tile.vertex_class.begin(), tile.vertex_class.end(),
+                                                           [](Index c) { return c != no_index; }));
+  report.cut_vertices = own.source.size() - used;
+  if (report.cut_vertices == 0) return;
+  for (std::size_t f = 0; f < glued.tile.size(); ++f)
+    if (own.reversed[f]) reverse(own.facets, f);
+  glued.tile = std::move(own.facets);
+  glued.source = std::move(own.source);
+}
+
 }  // namespace
 
 GluedTile glue_tile(const LabelledTile& tile, PeriodicReport& report) {
@@ -66,18 +80,9 @@ GluedTile glue_tile(const LabelledTile& tile, PeriodicReport& report) {
       static_cast<std::size_t>(std::count(root.reversed.begin(), root.reversed.end(), true));
   report.cut_root_vertices = root.facets.vertices - tile.classes;
 
-  Cut own = cut(glued.tile);
-  const auto used = static_cast<std::size_t>(std::count_if(tile.vertex_class.begin(), tile.vertex_class.end(),
-                                                           [](Index c) { return c != no_index; }));
-  report.cut_vertices = own.source.size() - used;
-  if (report.cut_vertices > 0) {  // else the input's numbers stay
-    for (std::size_t f = 0; f < glued.tile.size(); ++f)
-      if (own.reversed[f]) reverse(own.facets, f);
-    glued.tile = std::move(own.facets);
-    glued.source = std::move(own.source);
-  } else {
-    for (Index v = 0; v < tile.point.size(); ++v) glued.source.push_back(v);
-  }
+  for (Index v = 0; v < tile.point.size(); ++v) glued.source.push_back(v);
+  if (glued.tile.dimension == 2 || report.cut_root_vertices > 0 || !is_manifold_tile(tile))
+    cut_tile(tile, glued, report);
 
   // Where more facets meet after gluing than two, the root is cut where the tile is not.
   std::vector<Index> image(glued.source.size(), no_index);

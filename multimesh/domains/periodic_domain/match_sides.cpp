@@ -97,12 +97,7 @@ class SideMatcher {
         used_(used),
         vectors_(vectors),
         tolerance_(tolerance),
-        grid_(points, used, tolerance) {
-    for (const Index v : used) {
-      low_ = min(low_, points[v]);
-      high_ = max(high_, points[v]);
-    }
-  }
+        grid_(points, within_reach(), tolerance) {}
 
   void run(VertexClasses& classes) {
     for (const LatticeVector& shift : vectors_) match_along(shift, classes);
@@ -116,6 +111,18 @@ class SideMatcher {
     Index from, to;
     LatticeVector shift;
   };
+
+  /// The vertices that a lattice vector leads to from within the box.
+  std::vector<Index> within_reach() {
+    for (const Index v : used_) low_ = min(low_, points_[v]), high_ = max(high_, points_[v]);
+    std::vector<Vec3> shifts;
+    for (const LatticeVector& v : vectors_) shifts.push_back(lattice_.shift(v));
+    std::vector<Index> list;
+    for (const Index v : used_)
+      if (std::ranges::any_of(shifts, [&](const Vec3& by) { return is_near_box(points_[v] - by); }))
+        list.push_back(v);
+    return list;
+  }
 
   bool is_periodic(const LatticeVector& d) const {
     for (int i = 0; i < 3; ++i)
@@ -226,8 +233,8 @@ class SideMatcher {
   std::span<const Index> used_;
   std::span<const LatticeVector> vectors_;
   double tolerance_;
-  PointGrid grid_;
   Vec3 low_{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high_ = -low_;
+  PointGrid grid_;
   std::vector<Match> matches_;
   std::vector<Index> found_;
 };

@@ -45,11 +45,13 @@ PeriodicTile PeriodicDomain::tile_lists() const {
   PeriodicTile out;
   out.facets.dimension = d;
   const std::vector<Index> number = data_->numbers();
+  out.points.reserve(number.size());
   for (Index v = 0; v < number.size(); ++v) {
     if (number[v] == no_index) continue;
     out.points.push_back(positions()[v]);
   }
   out.facets.vertices = static_cast<Index>(out.points.size());
+  out.facets.corners.reserve(mesh.capacity(d) * out.facets.corners_per_facet());
   for (Index f = 0; f < mesh.capacity(d); ++f) {
     if (!mesh.is_live(d, f)) continue;
     std::array<Index, 4> v{};
@@ -95,18 +97,21 @@ std::vector<PeriodicCopy> PeriodicDomain::copies() const {
   const MultiMesh& tree = data_->tree;
   const Mesh &root = tree.mesh(NodeId::root), &mesh = tree.mesh(tile());
   const std::vector<Index> number = data_->numbers();
-  DartBuffer in_tile;
-  std::vector<Index> vertices;
+  std::vector<std::array<Index, 2>> of_root;  // a vertex of the root, and one of the tile that has copies
+  std::vector<Index> image(number.size(), no_index), copies(root.capacity(0), 0);
+  for (Index v = 0; v < number.size(); ++v)
+    if (number[v] != no_index) ++copies[image[v] = root.vertex(tree.to_parent(tile(), mesh.dart_of(0, v)))];
+  for (Index v = 0; v < number.size(); ++v)
+    if (number[v] != no_index && copies[image[v]] > 1) of_root.push_back({image[v], v});
+  std::ranges::sort(of_root);
   std::vector<PeriodicCopy> out;
-  for (Index v = 0; v < root.capacity(0); ++v) {
-    if (!root.is_live(0, v) || root.dart_of(0, v) == no_dart) continue;
-    in_tile.clear(), vertices.clear();
-    tree.to_child(tile(), root.dart_of(0, v), 0, in_tile);
-    for (const Dart c : in_tile) vertices.push_back(mesh.vertex(c));
-    std::ranges::sort(vertices);  // and so are their numbers
-    for (std::size_t i = 1; i < vertices.size(); ++i)
-      out.push_back(
-          {number[vertices[i]], number[vertices[0]], offsets()[vertices[i]] - offsets()[vertices[0]]});
+  for (std::size_t i = 1, first = 0; i < of_root.size(); ++i) {
+    if (of_root[i][0] != of_root[first][0]) {
+      first = i;
+      continue;
+    }
+    const Index slave = of_root[i][1], master = of_root[first][1];
+    out.push_back({number[slave], number[master], offsets()[slave] - offsets()[master]});
   }
   return out;
 }

@@ -75,8 +75,17 @@ void fit_copies(LabelledTile& tile, const Lattice& lattice, VertexClasses& class
   }
 }
 
+std::vector<Index> used_vertices(const FacetList& facets) {
+  std::vector<bool> is_used(facets.vertices, false);
+  for (const Index v : facets.corners) is_used[v] = true;
+  std::vector<Index> used;
+  for (Index v = 0; v < facets.vertices; ++v)
+    if (is_used[v]) used.push_back(v);
+  return used;
+}
+
 void make_proper(LabelledTile& tile, bool refine, PeriodicReport& report) {
-  if (const auto reason = too_short(QuotientEdges(at_copies(tile)))) {
+  if (const auto reason = too_short(tile)) {
     if (!refine)
       throw InputError("the glued tile is no simplicial complex: " + *reason +
                        ". Refine the tile (PeriodicOptions::refine), or make it of several cells");
@@ -99,9 +108,7 @@ PreparedTile prepare_tile(const PeriodicTile& input, const PeriodicOptions& opti
   for (const auto& p : input.points) tile.point.emplace_back(p);
   for (Index f = 0; f < tile.facets.size(); ++f) tile.input_facet.push_back(f);
 
-  std::vector<Index> used = tile.facets.corners;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const std::vector<Index> used = used_vertices(tile.facets);
   Vec3 low = tile.point[used[0]], high = low;
   for (const Index v : used) low = min(low, tile.point[v]), high = max(high, tile.point[v]);
   const double diagonal = (high - low).norm();

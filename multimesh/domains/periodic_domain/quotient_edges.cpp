@@ -2,7 +2,10 @@
 #include "multimesh/domains/periodic_domain/quotient_edges.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
+#include <utility>
+
+#include "multimesh/pair_numbers.hpp"
 
 namespace multimesh {
 
@@ -45,26 +48,38 @@ std::array<Index, 2> QuotientEdges::parallel(Index e) const {
   return {begin, end};
 }
 
-LabelledTile at_copies(const LabelledTile& tile) {
+std::vector<bool> with_copies(const LabelledTile& tile) {
   std::vector<std::uint8_t> copies(tile.classes, 0);
   for (const Index c : tile.vertex_class)
     if (c != no_index && copies[c] < 2) ++copies[c];
-  LabelledTile part{{tile.facets.dimension, tile.facets.vertices, {}},
-                    {},
-                    tile.point,
-                    tile.vertex_class,
-                    tile.offset,
-                    tile.classes};
-  for (std::size_t f = 0; f < tile.facets.size(); ++f) {
-    const auto corners = tile.facets.facet(f);
-    if (std::ranges::none_of(corners, [&](Index v) { return copies[tile.vertex_class[v]] > 1; })) continue;
-    part.facets.corners.insert(part.facets.corners.end(), corners.begin(), corners.end());
-    part.input_facet.push_back(tile.input_facet[f]);
-  }
-  return part;
+  std::vector<bool> found;
+  for (const Index c : tile.vertex_class) found.push_back(c != no_index && copies[c] > 1);
+  return found;
 }
 
 namespace {
+
+/// Whether an edge is a loop, or leads from one end to the other another way than another one. Only where an
+/// end has several copies can that be, if the tile itself is a simplicial complex.
+bool has_short_cycle(const LabelledTile& tile) {
+  const std::vector<bool> has_copies = with_copies(tile);
+  PairNumbers pairs(tile.classes);
+  for (const Index v : tile.facets.corners) pairs.expect(tile.vertex_class[v]);
+  std::vector<LatticeVector> shifts;
+  for (std::size_t f = 0; f < tile.facets.size(); ++f) {
+    const auto corners = tile.facets.facet(f);
+    for (std::size_t j = 1; j < corners.size(); ++j)
+      for (std::size_t i = 0; i < j; ++i) {
+        Index v = corners[i], w = corners[j];
+        if (!has_copies[v] && !has_copies[w]) continue;
+        const QuotientEdge edge = quotient_edge(tile, v, w);
+        const Index pair = pairs(edge.low, edge.high);
+        if (pair == shifts.size()) shifts.push_back(edge.shift);
+        if (edge.is_loop() || shifts[pair] != edge.shift) return true;
+      }
+  }
+  return false;
+}
 
 int axes_of(const LatticeVector& v) {
   return static_cast<int>(std::count_if(v.begin(), v.end(), [](int x) { return x != 0; }));
@@ -76,7 +91,9 @@ LatticeVector positive(const LatticeVector& v) {
 
 }  // namespace
 
-std::optional<std::string> too_short(const QuotientEdges& edges) {
+std::optional<std::string> too_short(const LabelledTile& tile) {
+  if (!has_short_cycle(tile)) return std::nullopt;
+  const QuotientEdges edges(tile);
   // The shortest cycle for each combination of periods; those along a single axis first, x before y.
   struct Cycle {
     int axes, length;
@@ -93,7 +110,6 @@ std::optional<std::string> too_short(const QuotientEdges& edges) {
       cycles.push_back({axes_of(around), 2, positive(around), e, e + 1});
     }
   }
-  if (cycles.empty()) return std::nullopt;
   std::sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
     return std::tie(a.axes, b.around, a.length, a.first) < std::tie(b.axes, a.around, b.length, b.first);
   });
@@ -121,13 +137,17 @@ std::optional<std::array<Index, 2>> double_facet(const LabelledTile& tile) {
     for (std::size_t i = 0; i < corners.size(); ++i) vertices[f][i] = tile.vertex_class[corners[i]];
     std::sort(vertices[f].begin(), vertices[f].end());
   }
-  std::vector<Index> order(facets);
-  std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(),
-            [&](Index f, Index g) { return vertices[f] != vertices[g] ? vertices[f] < vertices[g] : f < g; });
-  for (Index i = 1; i < facets; ++i)
-    if (vertices[order[i - 1]] == vertices[order[i]])
-      return std::array{tile.input_facet[order[i - 1]], tile.input_facet[order[i]]};
+  std::vector<Index> count(tile.classes, 0);
+  for (const Index v : tile.facets.corners) ++count[tile.vertex_class[v]];
+  // With the same vertex of those with the fewest facets.
+  std::vector<Index> last(tile.classes, no_index), previous(facets);
+  for (Index f = 0; f < facets; ++f) {
+    const std::span corners = std::span(vertices[f]).first(tile.facets.corners_per_facet());
+    Index& of_vertex = last[*std::ranges::min_element(corners, {}, [&](Index v) { return count[v]; })];
+    for (Index g = of_vertex; g != no_index; g = previous[g])
+      if (vertices[g] == vertices[f]) return std::array{tile.input_facet[g], tile.input_facet[f]};
+    previous[f] = std::exchange(of_vertex, f);
+  }
   return std::nullopt;
 }
 

@@ -36,12 +36,11 @@ class QuotientEdges {
   std::vector<Index> of_facet_;
 };
 
-/// The facets that have a vertex with several copies: only there can simplices of the quotient have the same
-/// vertices, if those of the tile have not.
-LabelledTile at_copies(const LabelledTile& tile);
+/// Per vertex of the tile: whether it is one of several copies.
+std::vector<bool> with_copies(const LabelledTile& tile);
 
 /// The periods that are too short for the quotient to be a simplicial complex, naming edges; or nothing.
-std::optional<std::string> too_short(const QuotientEdges& edges);
+std::optional<std::string> too_short(const LabelledTile& tile);
 
 /// Two facets of the quotient with the same vertices, by their input facets, or nothing.
 std::optional<std::array<Index, 2>> double_facet(const LabelledTile& tile);
