@@ -67,22 +67,24 @@ PeriodicArguments& with_corners(DecimateArguments& a) {
 void run(Task task, RunReport& report) {
   auto& [a, file, domain, is_solid, sides, options] = task;
   const TileTopology before = topology_of(domain);
-  const Json tile_before = to_json(domain);
+  Json tile_before, tile_after;
+  if (report.wanted()) tile_before = to_json(domain, before);
   const std::size_t facets = task.facets();
-  Json tile_after;
   const DomainDecimateResult r = io::naming(a.input, [&] { return decimate(domain, sides, options); });
   warn_of_target(options, r.surface, is_solid ? "faces of the surface" : "faces", file.warnings);
   if (r.tetrahedra) warn_of_tetrahedra(*r.tetrahedra, a.target_amips, file.warnings);
-  warn_of_sizes(is_solid ? "volume" : "area", before.sizes, topology_of(domain).sizes, much_of_size,
+  const TileTopology after = topology_of(domain);
+  warn_of_sizes(is_solid ? "volume" : "area", before.sizes, after.sizes, much_of_size,
                 "more faces, --max-error or --feature-angle", file.warnings);
   constexpr double any = std::numeric_limits<double>::infinity();
-  add(write_tile_outputs(a.output, before, domain, file, a.format.options(), any, a.periodic, tile_after),
+  add(write_tile_outputs(a.output, before, after, domain, file, a.format.options(), any, a.periodic),
       file.warnings);
   Json& j = report.json();
   j = decimation_json(a, options, r.surface);
   j["facets"] = {{"before", facets}, {"after", task.facets()}};
   j["options"]["aspect_ratio"] = options.max_aspect_ratio;
   if (is_solid) j["tetrahedra"] = to_json(r.tetrahedra->after);
+  if (report.wanted()) tile_after = to_json(domain, after);
   j["periodic"] = {{"sides", name_of(sides)}, {"before", tile_before}, {"after", tile_after}};
   report.finish(file.warnings, a.quiet);
   if (a.quiet) return;
