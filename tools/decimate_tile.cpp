@@ -20,9 +20,6 @@ namespace {
 
 /// Tiles are for solvers: in them, without a limit, triangles come out that are nearly lines.
 constexpr double usual_aspect_ratio = 10;
-/// Of the improvement at the end: what it does not reach by then takes long, and many more tetrahedra.
-constexpr int passes = 10;
-constexpr double growth = 1.5;
 
 std::size_t count_faces(const Mesh& mesh) {
   std::size_t n = 0;
@@ -51,8 +48,8 @@ struct Task {
     static_cast<DecimateOptions&>(options) =
         decimate_options(a, surface ? count_faces(domain.tree().mesh(*surface)) : 0);
     options.target_amips = a.target_amips;
-    options.passes_at_end = passes;
-    options.max_growth = growth;
+    options.passes_at_end = passes_in_tile;
+    options.max_growth = growth_in_tile;
     if (a.aspect_ratio == 0) options.max_aspect_ratio = usual_aspect_ratio;
   }
 
@@ -60,7 +57,7 @@ struct Task {
 };
 
 PeriodicArguments& with_corners(DecimateArguments& a) {
-  a.periodic.corner_angle = a.feature_angle > 0 ? a.feature_angle : 180;
+  a.periodic.corner_angle = a.periodic.feature_angle = a.feature_angle > 0 ? a.feature_angle : 180;
   return a.periodic;
 }
 

@@ -116,6 +116,7 @@ ReadTile read_periodic(const std::string& input, const PeriodicArguments& a) {
   files::set_periods(file, axes_of(a), periods_of(a));
   file.options.tolerance = a.tolerance;
   file.options.corner_angle = a.corner_angle * std::numbers::pi / 180;
+  if (a.feature_angle < 180) file.options.feature_angle = a.feature_angle * std::numbers::pi / 180;
   PeriodicDomain domain = io::naming(input, [&] { return PeriodicDomain(file.tile, file.options); });
   add(files::warnings_of(domain.report()), file.warnings);
   return {std::move(file), std::move(domain)};

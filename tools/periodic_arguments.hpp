@@ -17,12 +17,18 @@ class Option;
 
 namespace multimesh::tools {
 
+/// Of the improvement of tetrahedra whose surface was changed: what it does not reach by then takes long, and
+/// many more tetrahedra.
+constexpr int passes_in_tile = 10;
+constexpr double growth_in_tile = 1.5;
+
 /// What commands are told about periodic tiles.
 struct PeriodicArguments {
   std::string axes;  ///< empty: the mesh is not taken as a tile
   std::string periods, sides, pair_table, equations;
   double tolerance = 1e-6;
-  double corner_angle = 20;  ///< degrees; of interfaces and boundaries in tiles of triangles
+  double corner_angle = 20;    ///< degrees; of interfaces and boundaries in tiles of triangles
+  double feature_angle = 180;  ///< the same of surfaces in tiles of tetrahedra
 
   bool is_given() const { return !axes.empty(); }
 };

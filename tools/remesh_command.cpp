@@ -69,7 +69,7 @@ void add_options(CLI::App& command, RemeshArguments& a) {
   add_tile_output_options(command, a.periodic);
   for (const char* other : {"--lock-seams", "--lock-boundary", "--weld", "--report-html",
 #ifdef MULTIMESH_WITH_IMPROVE
-                            "--target-amips", "--lock-patch", "--lock-region", "--no-periodic",
+                            "--lock-patch", "--lock-region", "--no-periodic",
 #endif
                             "--preserve-materials"})
     periodic->excludes(command.get_option(other));
@@ -193,7 +193,7 @@ void add_remesh_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Example:  multimesh remesh cow.obj -o even.obj --relative-length 0.01\n"
       "          multimesh remesh part.stl -o even.obj --length 2.5 --feature-angle 40\n"
-      "          multimesh remesh rve.msh -o even.msh --length 0.05 --periodic xy\n\n"
+      "          multimesh remesh rve.msh -o even.msh --length 0.05 --periodic xyz\n\n"
       "Kept: the topology of the surface and of every chart, the graph of the seams and of the\n"
       "curves, materials and groups of each face. Seams are not frozen: their edges get the same\n"
       "length. Vertices stay on the input, with its texture coordinates there. No triangle of the\n"

@@ -66,6 +66,9 @@ struct PeriodicOptions {
   /// In tiles of triangles, vertices where an interface or the boundary bends by at least this, in radians,
   /// keep their places. Only with `interfaces`.
   double corner_angle = std::numeric_limits<double>::infinity();
+  /// In tiles of tetrahedra, edges at which the surface of the material, an interface or listed faces bend by
+  /// at least this, in radians, are kept as curves.
+  double feature_angle = std::numeric_limits<double>::infinity();
 };
 
 /// The options for a tile whose file says what is glued: pairs of vertices that are one, and the translations

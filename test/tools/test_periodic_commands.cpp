@@ -145,6 +145,21 @@ TEST_F(PeriodicCommands, RemeshNotesALengthNearThePeriod) {
 
 #ifdef MULTIMESH_WITH_IMPROVE
 
+TEST_F(PeriodicCommands, RemeshTakesTheInterfacesOfTetrahedra) {
+  write_cube("in.msh", 6);
+  const Json before = tile("in.msh", {"--periodic", "xyz"});
+  const Ended e = run({"remesh", "in.msh", "-o", "out.msh", "--length", "0.2", "--periodic", "xyz",
+                       "--feature-angle", "40", "--report", "report.json"});
+  ASSERT_EQ(e.status, 0) << e.err;
+  const Json r = json("report.json"), t = tile("out.msh", {"--periodic", "xyz"});
+  EXPECT_GT(r["tetrahedra"]["tetrahedra"], 0);
+  EXPECT_EQ(t["glued"], r["periodic"]["after"]["glued"]);
+  EXPECT_EQ(t["interfaces"], before["interfaces"]);
+  EXPECT_EQ(t["inverted"], 0);
+  EXPECT_TRUE(t["flat_sides"]);
+  for (const char* region : {"1", "2"}) EXPECT_NEAR(t["regions"][region], before["regions"][region], 1e-3);
+}
+
 TEST_F(PeriodicCommands, DecimateWritesACoarserTile) {
   write_square("in.obj", 12);
   write_cube("in.msh", 6);

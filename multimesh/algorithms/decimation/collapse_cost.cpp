@@ -249,7 +249,7 @@ void CollapseCost::minimize_over(CollapsePlan& plan) const {
     f += mu * e.constant[0] + mv * e.constant[1];
   }
 
-  if (is_periodic_ && ranks_.rank(plan.a) != Rank::free) stay_in_sides(plan, q);
+  if (is_periodic_) stay_in_sides(plan, q);
   const Vec3 x = minimum(A, f);
   const double squared_half = half.squared_norm();
   // Off the ends, where the vertex would count as not moved.

@@ -98,14 +98,16 @@ bool Remesher::assign(const Place& to) {
 bool Remesher::move(Dart vertex, const Place& to) {
   copies_.collect(tree_, node_, vertex, 0);
   if (!assign(to)) return false;
+  // Where an interface lies in a flat side of a tile, and bends out of it, the input leads out of it.
+  const Vec3 position = positions_.allowed(mesh_.vertex(vertex), to.position);
   for (const Copy& c : copies_.of(node_)) {
-    const Vec3 there = positions_.place_of_copy(mesh_.vertex(c.dart), mesh_.vertex(vertex), to.position);
+    const Vec3 there = positions_.place_of_copy(mesh_.vertex(c.dart), mesh_.vertex(vertex), position);
     if (!shape_.allows(c.dart, there)) return false;
   }
   for (const Write& w : writes_)
     if (!sides_below_[w.mesh]->allows(tree_.mesh(below_[w.mesh]->node()), w.dart, w.at)) return false;
   const auto write = [&](const Event&) {
-    positions_.set(mesh_.vertex(vertex), to.position);
+    positions_.set(mesh_.vertex(vertex), position);
     for (const Write& w : writes_) {
       Coordinates& c = *below_[w.mesh];
       c.set(tree_.mesh(c.node()).vertex(w.dart), w.at);

@@ -139,7 +139,7 @@ struct PeriodicDomain::Data {
   std::optional<NodeId> cuts, walls;
   std::array<ListedMesh, 3> listed;  // by dimension
   bool interfaces = false;           // are kept
-  double corner_angle = 0;
+  double corner_angle = 0, feature_angle = 0;
   std::vector<PeriodicLabel> labels;  // the first one is that of simplices that are not listed
   std::optional<VertexAttribute<Vec3>> positions;
   std::optional<VertexAttribute<LatticeVector>> offsets;

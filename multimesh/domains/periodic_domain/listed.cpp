@@ -45,12 +45,20 @@ class Numbers {
 struct AroundEdge {
   int faces = 0, of_mesh = 0;
   Index low = no_index, high = 0;  // of their labels
+  double bend = 0;                 // of the surface, if there are two
+  Vec3 first_inward{};
 
-  void add(Index label, bool is_of_mesh) {
+  /// `inward`: across the face, away from the edge.
+  void add(Index label, bool is_of_mesh, const Vec3& inward) {
+    if (faces == 0) first_inward = inward;
+    if (faces == 1)
+      bend = std::numbers::pi - std::atan2(cross(first_inward, inward).norm(), dot(first_inward, inward));
     ++faces, of_mesh += is_of_mesh;
     low = std::min(low, label), high = std::max(high, label);
   }
-  bool is_curve() const { return of_mesh > 0 && (faces != 2 || low != high); }
+  bool is_curve(double feature_angle) const {
+    return faces == 2 ? (of_mesh > 0 && low != high) || bend >= feature_angle : of_mesh > 0;
+  }
   /// Curves end where this changes.
   std::array<Index, 4> kind(Index label) const {
     return {static_cast<Index>(faces), faces == 2 ? low : 0, faces == 2 ? high : 0, label};
@@ -142,10 +150,21 @@ class Lister {
       const Dart d = root_.dart_of(2, s);
       if (!wanted(2)[s] && !root_.is_boundary(d, 2)) continue;
       for (const Dart e : {d, root_.reorder(d, permutation(1, 2, 0)), root_.reorder(d, permutation(0, 2, 1))})
-        around_[root_.simplex(e, 1)].add(labels(2)[s], wanted(2)[s]);
+        around_[root_.simplex(e, 1)].add(labels(2)[s], wanted(2)[s], inward(e));
     }
     for (Index e = 0; e < around_.size(); ++e)
-      if (around_[e].is_curve()) wanted(1)[e] = true;
+      if (around_[e].is_curve(data_.feature_angle)) wanted(1)[e] = true;
+  }
+
+  /// Orthogonal to the edge of a face of the root, in the tile.
+  Vec3 inward(Dart face) {
+    copies_.clear();
+    data_.tree.to_child(data_.tile, face, 2, copies_);
+    Index v[4];
+    tile_.vertices(copies_.front(), v);
+    const auto& p = *data_.positions;
+    const Vec3 along = (p[v[1]] - p[v[0]]).unit_or_zero(), to_corner = p[v[2]] - p[v[0]];
+    return to_corner - along * dot(to_corner, along);
   }
 
   bool may_have_corners() const { return data_.interfaces && data_.corner_angle < std::numbers::pi; }
@@ -224,9 +243,9 @@ class Lister {
 
 void PeriodicDomain::Data::add_listed(const PeriodicTile& input, const PeriodicOptions& options) {
   interfaces = options.interfaces;
-  corner_angle = options.corner_angle;
+  corner_angle = options.corner_angle, feature_angle = options.feature_angle;
   const bool any = std::ranges::any_of(input.listed, [](const auto& l) { return !l.tags.empty(); });
-  if (any || interfaces) Lister(*this, input).run();
+  if (any || interfaces || feature_angle < std::numbers::pi) Lister(*this, input).run();
 }
 
 }  // namespace multimesh

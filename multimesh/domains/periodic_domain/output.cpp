@@ -82,6 +82,7 @@ PeriodicOptions PeriodicDomain::gluing() const {
   PeriodicOptions options;
   options.interfaces = data_->interfaces;
   options.corner_angle = data_->corner_angle;
+  options.feature_angle = data_->feature_angle;
   options.periods.emplace();
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
