@@ -17,6 +17,10 @@ void Mesh::keep(int, std::unique_ptr<ValueList> values) {
   throw UsageError("a mesh of this type does not keep values for others: \"" + values->name() + "\"");
 }
 
+void Mesh::drop(int, const void*) {
+  throw UsageError("a mesh of this type does not keep values for others");
+}
+
 bool Mesh::has_link_around(LinkSet links, int j, Dart d, int k) const {
   star(d, k, star_);
   for (const Dart t : star_)

@@ -179,6 +179,13 @@ class Mesh {
     return values;
   }
   virtual void keep(int k, std::unique_ptr<ValueList> values);
+  /// Removes a list that add_values() has returned. \throw UsageError if the mesh has none such, or inside a
+  /// transaction
+  template <class T>
+  void remove_values(int k, const std::vector<T>& values) {
+    drop(k, &values);
+  }
+  virtual void drop(int k, const void* values);
   /// Whether the mesh stores values on k-simplices, 0 < k < dimension.
   virtual bool has_values(int /*k*/) const { return false; }
   /// Call before collapse_edge(e). Where two simplices will become one, moves the values to keep to where the

@@ -263,11 +263,19 @@ bool Strata::wall_stays(Dart f) const {
   return any_over(f, 2, stays_there) || (!has_mesh && is_fixed_mesh(node_));
 }
 
+bool Strata::is_kept_anywhere(Dart e) const {
+  Dart image = e;
+  for (NodeId n = node_;; n = tree_.parent(n)) {
+    for (const auto& [node, keeps] : kept_->edges)
+      if (node == n && keeps(image)) return true;
+    if (n == NodeId::root) return false;
+    image = tree_.to_parent(n, image);
+  }
+}
+
 bool Strata::edge_stays(Dart e) const {
   if (!may_be(e, 1, fixed)) return false;
-  if (kept_ &&
-      std::ranges::any_of(kept_->edges, [&](const auto& k) { return k.first == node_ && k.second(e); }))
-    return true;
+  if (is_kept(e)) return true;
   return any_over(e, 1, [&](NodeId n, Index edge) { return stays(n, edge); });
 }
 

@@ -64,9 +64,10 @@ class Strata {
   /// The kind of the edge of (a, b, ..). Cost: that of its copies
   EdgeKind kind(Dart e) const;
   bool is_plain(Dart e) const { return kind(e).is_plain(); }
-  /// Whether the edge may be neither split nor moved: an edge with a kind between two locked vertices.
+  /// Whether the edge may be neither split nor moved: an edge with a kind between two locked vertices, or one
+  /// that is kept.
   bool is_frozen(Dart e) const {
-    return is_locked(e) && is_locked(mesh_.reorder(e, exchange_ends)) && !is_plain(e);
+    return is_kept(e) || (is_locked(e) && is_locked(mesh_.reorder(e, exchange_ends)) && !is_plain(e));
   }
   /// \param line if the vertex is on one: its two edges, darts that begin with the vertex. Cost: its star
   Freedom freedom(Dart vertex, std::array<Dart, 2>& line) const;
@@ -104,6 +105,9 @@ class Strata {
   bool facets_stay_at(Dart vertex) const;
   bool wall_stays(Dart f) const;
   bool edge_stays(Dart e) const;
+  /// Whether the embedding says that some invariant keeps the edge, in this mesh or one above it.
+  bool is_kept(Dart e) const { return may_edges_be_kept() && is_kept_anywhere(e); }
+  bool may_edges_be_kept() const { return kept_ && !kept_->edges.empty(); }
 
   // --- for loops
   /// Finds the strata of all vertices. From then on the questions above look there first, and who splits
@@ -126,6 +130,7 @@ class Strata {
   bool is_fixed_mesh(NodeId n) const;
   bool stays(NodeId n, Index facet) const;
   bool has_preimages_beside(Dart d, int k) const;
+  bool is_kept_anywhere(Dart e) const;
   template <class Visit>
   bool any_over(Dart d, int k, const Visit& visit) const;
   bool parts_differ(Dart f, Dart beyond) const;

@@ -19,6 +19,8 @@ class ValueList {
 
   const std::string& name() const noexcept { return name_; }
 
+  /// Whether the values are in this std::vector.
+  virtual bool are_in(const void* list) const = 0;
   virtual std::size_t size() const = 0;
   virtual void resize(std::size_t n) = 0;
   virtual void copy(Index from, Index to) = 0;
@@ -59,6 +61,7 @@ class ValuesOf final : public ValueList {
   const T& operator[](Index i) const { return values[i]; }
   T& operator[](Index i) { return values[i]; }
 
+  bool are_in(const void* list) const override { return &values == list; }
   std::size_t size() const override { return values.size(); }
   void resize(std::size_t n) override { values.resize(n, initial_value<T>()); }
   void copy(Index from, Index to) override { values[to] = values[from]; }

@@ -95,6 +95,32 @@ void Connectivity::keep(int k, std::unique_ptr<ValueList> values) {
   add(OpenMesh::FPropHandleT<Kept>());
 }
 
+namespace {
+
+/// Removes the property of this kind that keeps the values; false if none does. Its handle is its place.
+template <class Handle, class Iterator>
+bool remove_kept(OpenMesh::PolyConnectivity& om, Iterator begin, Iterator end, const void* values) {
+  for (Iterator p = begin; p != end; ++p) {
+    const auto* kept = dynamic_cast<const OpenMesh::PropertyT<Kept>*>(*p);
+    if (!kept || !kept->are_in(values)) continue;
+    Handle handle(static_cast<int>(p - begin));
+    om.remove_property(handle);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void Connectivity::drop(int k, const void* values) {
+  if (!log_.empty()) throw UsageError("values cannot be removed inside a transaction");
+  const bool removed =
+      k == 0   ? remove_kept<OpenMesh::VPropHandleT<Kept>>(om_, om_.vprops_begin(), om_.vprops_end(), values)
+      : k == 1 ? remove_kept<OpenMesh::EPropHandleT<Kept>>(om_, om_.eprops_begin(), om_.eprops_end(), values)
+               : remove_kept<OpenMesh::FPropHandleT<Kept>>(om_, om_.fprops_begin(), om_.fprops_end(), values);
+  if (!removed) throw UsageError("these values do not belong to the mesh");
+}
+
 void Connectivity::exchange_edge_values(int kept, int dying) {
   log(Word::edge_values, static_cast<std::uint32_t>(kept), static_cast<std::uint32_t>(dying));
   exchange(log_.back());

@@ -27,6 +27,8 @@ class OpenMesh::PropertyT<multimesh::openmesh::Kept> final : public OpenMesh::Ba
     list_->resize(n);
   }
 
+  bool are_in(const void* list) const { return list_ && list_->are_in(list); }
+
   void reserve(std::size_t) override {}
   void resize(std::size_t n) override {
     if (list_) list_->resize(n);

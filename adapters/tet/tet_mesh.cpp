@@ -282,6 +282,13 @@ void TetMesh::keep(int k, std::unique_ptr<ValueList> values) {
   adopt(k == 0 ? vertex_properties_ : tet_properties_, std::move(values), capacity(k));
 }
 
+void TetMesh::drop(int k, const void* values) {
+  const Properties& list = k == 0 ? vertex_properties_ : tet_properties_;
+  const auto found = std::ranges::find_if(list, [&](const auto& p) { return p->are_in(values); });
+  if ((k != 0 && k != 3) || found == list.end()) throw UsageError("these values do not belong to the mesh");
+  remove_property(**found);
+}
+
 void TetMesh::adopt(std::unique_ptr<SimplexPropertyBase> property) {
   for (const auto& p : simplex_properties_)
     if (p->name() == property->name())

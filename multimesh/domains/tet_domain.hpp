@@ -68,9 +68,10 @@ struct TetDomainReport {
 ///
 /// Surface: the boundary, the interfaces between regions and the tagged triangles, one triangle mesh, cut
 /// where sheets meet. Curves: edges of the surface at which not just two of its faces meet, or faces of
-/// different patches, or at an angle; and tagged edges. Chains of curves end where they branch or their kind
-/// changes. Fixed points: those that are listed, those where sheets or curves touch and no other mesh guards
-/// that, and copies of one input point. Each of the three exists only if it has facets.
+/// different patches, or a listed and an unlisted one, or at an angle; and tagged edges. Chains of curves end
+/// where they branch or their kind changes. Fixed points: those that are listed, those where sheets or curves
+/// touch and no other mesh guards that, and copies of one input point. Each of the three exists only if it
+/// has facets.
 ///
 /// At a point whose link is neither a sphere nor a disk, the cut also separates a few faces inside the
 /// material; they are not part of the surface, but of the root's boundary. Copies are locked as well, since

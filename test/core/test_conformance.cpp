@@ -179,6 +179,51 @@ TEST_P(Conformance, BoundaryIsThatOfTheVertexSets) {
       EXPECT_EQ(mesh_->is_boundary(d, k), oracle::contains(rim, simplex(d, k))) << "dart " << code(d);
 }
 
+TEST_P(Conformance, RemovesTheListsOfValuesThatItKeeps) {
+  const std::vector<std::string> foreign;
+  for (const int k : {0, d_}) {
+    EXPECT_THROW(mesh_->remove_values(k, foreign), UsageError);
+    std::vector<std::string>* first = nullptr;
+    try {
+      first = &mesh_->add_values<std::string>(k, "first");
+    } catch (const UsageError&) {
+      continue;  // keeps none
+    }
+    std::vector<Index>& second = mesh_->add_values<Index>(k, "second");
+    for (Index i = 0; i < second.size(); ++i) second[i] = i;
+    const std::vector<Index> before = second;
+    mesh_->remove_values(k, *first);
+    EXPECT_EQ(second, before);
+    EXPECT_THROW(mesh_->remove_values(k, foreign), UsageError);
+    auto& again = mesh_->add_values<std::string>(k, "first");  // the name is free
+    if (d_ > 0) shake(*mesh_, 7, 20);
+    mesh_->forget();
+    EXPECT_EQ(second.size(), mesh_->capacity(k));
+    EXPECT_EQ(again.size(), mesh_->capacity(k));
+    mesh_->remove_values(k, second);
+    mesh_->remove_values(k, again);
+    std::vector<std::string> problems;
+    mesh_->check(problems);
+    EXPECT_EQ(problems, std::vector<std::string>{});
+  }
+}
+
+TEST_P(Conformance, RemovesNoValuesInsideATransaction) {
+  std::vector<Index>* values = nullptr;
+  try {
+    values = &mesh_->add_values<Index>(0, "value");
+  } catch (const UsageError&) {
+    return;  // keeps none
+  }
+  const Mesh::Mark start = mesh_->mark();
+  mesh_->protect(0, mesh_->vertex(simplices_of(*mesh_, d_).front()));
+  if (mesh_->mark() == start) return;
+  EXPECT_THROW(mesh_->remove_values(0, *values), UsageError);
+  mesh_->rollback(start);
+  mesh_->forget();
+  mesh_->remove_values(0, *values);
+}
+
 INSTANTIATE_TEST_SUITE_P(Meshes, Conformance, testing::ValuesIn(mesh_cases()),
                          [](const auto& mesh_case) { return mesh_case.param.name; });
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "multimesh/algorithms/domain_report.hpp"
+#include "multimesh/embedding.hpp"
 #include "multimesh/error.hpp"
 #include "multimesh/operations.hpp"
 #include "multimesh/validate.hpp"
@@ -152,6 +153,46 @@ TEST(TetDomain, IsTheSameAgainWhenItWasWrittenOut) {
   EXPECT_EQ(named<2>(again.points, again.edges.corners, again.edge_tags),
             named<2>(out.points, out.edges.corners, out.edge_tags));
   EXPECT_EQ(std::set(again.fixed.begin(), again.fixed.end()), std::set(out.fixed.begin(), out.fixed.end()));
+}
+
+double area_of(const TaggedTetrahedra& t) {
+  double sum = 0;
+  for (std::size_t f = 0; f < t.triangles.size(); ++f) {
+    const auto at = [&](std::size_t i) { return Vec3(t.points[t.triangles.facet(f)[i]]); };
+    sum += cross(at(1) - at(0), at(2) - at(0)).norm() / 2;
+  }
+  return sum;
+}
+
+// Of the bottom, one patch, the file lists a part with a jagged side. Swaps do not cross it.
+TEST(TetDomain, TheListedPartOfAPatchKeepsItsArea) {
+  TaggedTetrahedra in = box(4, 4, 2);
+  for (std::size_t t = 0; t < in.tets.size(); ++t)
+    for (std::size_t without = 0; without < 4; ++without) {
+      std::array<Index, 3> v{};
+      double sum = 0, height = 0;
+      for (std::size_t i = 0, n = 0; i < 4; ++i) {
+        if (i == without) continue;
+        v[n++] = in.tets.facet(t)[i];
+        const auto& p = in.points[in.tets.facet(t)[i]];
+        sum += p[0] + 0.5 * p[1], height += p[2];
+      }
+      if (height == 0 && sum < 9) add_triangle(in, v, 0);
+    }
+  ASSERT_GT(in.triangles.size(), 4U);
+  TetDomain domain(in);
+  const double area = area_of(domain.tagged());
+  EXPECT_GT(area, 2);
+  EXPECT_LT(area, 14);
+  Embedding embedding = domain.embedding();
+  EmbeddedMesh surface(embedding, *domain.surface());
+  std::size_t swaps = 0;
+  for (int round = 0; round < 3; ++round)
+    for (Index e = 0, end = surface.mesh().capacity(1); e < end; ++e)  // swaps make new ones
+      if (surface.mesh().is_live(1, e))
+        swaps += static_cast<bool>(surface.operations().swap(surface.node(), surface.mesh().dart_of(1, e)));
+  EXPECT_GT(swaps, 4U);
+  EXPECT_NEAR(area_of(domain.tagged()), area, 1e-9);
 }
 
 TEST(TetDomain, WritesBoundaryTrianglesOutwards) {

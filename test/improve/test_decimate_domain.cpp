@@ -4,39 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <set>
 
 #include "multimesh/algorithms/decimate_domain.hpp"
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/validate.hpp"
-#include "test/improve/flat_list_check.hpp"
+#include "test/improve/domain_contract.hpp"
 #include "test/improve/made_domain.hpp"
-#include "test/improve/random_solid.hpp"
 
 namespace multimesh::test {
 namespace {
 
 using Problems = std::vector<std::string>;
-using Triangle = std::array<std::array<double, 3>, 3>;
 
 DomainDecimateOptions to_faces(std::size_t faces) {
   DomainDecimateOptions o;
   o.faces = faces;
   return o;
-}
-
-/// The triangles with a tag, by their points.
-std::set<Triangle> triangles_of_patch(const TaggedTetrahedra& t, TetDomain::Tag tag) {
-  std::set<Triangle> all;
-  for (std::size_t i = 0; i < t.triangles.size(); ++i) {
-    if (t.patches[i] != tag) continue;
-    const auto v = t.triangles.facet(i);
-    Triangle p{t.points[v[0]], t.points[v[1]], t.points[v[2]]};
-    std::ranges::sort(p);
-    all.insert(p);
-  }
-  return all;
 }
 
 /// Where planes are not exact, as sheared ones are, places in them are found up to the precision of what is
@@ -96,28 +79,30 @@ TEST_P(DecimateBox, KeepsRegionsPatchesAndCurves) {
 INSTANTIATE_TEST_SUITE_P(Ratios, DecimateBox, testing::Values(0.5, 0.0),
                          [](const auto& i) { return i.param > 0 ? "Half" : "AsFewAsItAllows"; });
 
-TEST(DecimateDomain, LockedPatchesKeepTheirTriangles) {
-  const Box box = make_box({});
-  TetDomain domain(box.input);
+/// To as few faces as the box allows.
+void decimate_all(TetDomain& domain, const DomainLocks& locks) {
   DomainDecimateOptions options = to_faces(1);
-  options.locked_patches = {11, 3};
+  static_cast<DomainLocks&>(options) = locks;
   const DecimateResult r = decimate(domain, options).surface;
+  EXPECT_GT(r.collapsed, 0U);
   for (const RefusalCount& refused : r.refused)
     EXPECT_NE(refused.reason, "locked patches and regions stay") << "tried in vain";
-  const TaggedTetrahedra after = domain.tagged();
-  for (const TetDomain::Tag tag : options.locked_patches)
-    EXPECT_EQ(triangles_of_patch(after, tag), triangles_of_patch(TetDomain(box.input).tagged(), tag)) << tag;
-  EXPECT_LT(triangles_of_patch(after, 12).size(), triangles_of_patch(box.input, 12).size());
 }
 
+TEST(DecimateDomain, LockedPatchesKeepTheirTriangles) {
+  expect_locked_patches_keep_their_triangles(decimate_all);
+}
+TEST(DecimateDomain, LockedRegionsKeepTheirTetrahedra) {
+  expect_locked_regions_keep_their_tetrahedra(decimate_all);
+}
 TEST(DecimateDomain, RequiredTrianglesStay) {
-  Box box = make_box({});
-  box.input.triangle_flags.assign(box.input.triangles.size(), 0);
-  for (std::size_t i = 0; i < box.input.triangles.size(); ++i)
-    if (box.input.patches[i] == 14) box.input.triangle_flags[i] = required_simplex;
-  TetDomain domain(box.input);
-  EXPECT_GT(decimate(domain, to_faces(1)).surface.collapsed, 0U);
-  EXPECT_EQ(triangles_of_patch(domain.tagged(), 14), triangles_of_patch(box.input, 14));
+  expect_required_triangles_stay(decimate_all);
+}
+TEST(DecimateDomain, ADomainWithoutSurfaceIsRefused) {
+  expect_a_domain_without_surface_is_refused(decimate_all);
+}
+TEST(DecimateDomain, GivesTheSameTwice) {
+  expect_the_same_twice(decimate_all);
 }
 
 TEST(DecimateDomain, WithoutImprovementInBetweenItGetsStuckSooner) {
@@ -132,49 +117,13 @@ TEST(DecimateDomain, WithoutImprovementInBetweenItGetsStuckSooner) {
   EXPECT_LE(left(2), left(0));
 }
 
-TEST(DecimateDomain, ADomainWithoutSurfaceIsRefused) {
-  TetDomainOptions none;
-  none.boundary = none.interfaces = false;
-  BoxOptions plain;
-  plain.sheet = plain.curve = false;
-  TaggedTetrahedra input = make_box(plain).input;
-  input.triangles = FacetList{2, 0, {}};
-  input.patches.clear();
-  TetDomain domain(input, none);
-  EXPECT_THROW((void)decimate(domain, to_faces(10)), InputError);
-}
-
-TEST(DecimateDomain, GivesTheSameTwice) {
-  const auto run = [] {
-    TetDomain domain(make_box({}).input);
-    (void)decimate(domain, to_faces(100));
-    return domain.tagged();
-  };
-  const TaggedTetrahedra a = run(), b = run();
-  EXPECT_EQ(a.points, b.points);
-  EXPECT_EQ(a.tets.corners, b.tets.corners);
-}
-
-/// Of areas and volumes: roundings aside.
-constexpr double tolerance = 1e-6;
-
-// Cubes or single tetrahedra of a grid that touch themselves in points and edges: many of their edges are in
-// several sheets.
+// Many of their edges are in several sheets.
 TEST(DecimateSolids, StayWhatTheyAreWhenJoinedAgain) {
-  std::size_t with_copies = 0, changed = 0;
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    const TaggedTetrahedra list = RandomSolid(seed).list();
-    TetDomainOptions sharp;
-    sharp.feature_angle = std::numbers::pi / 180;  // each of its faces is plane
-    TetDomain domain(list, sharp);
-    with_copies += domain.report().copied_vertices > 0;
-    changed += decimate(domain, to_faces(1)).surface.collapsed > 0;
-    EXPECT_EQ(compare(facts_of(list), facts_of(domain.tagged()), tolerance), "") << "seed " << seed;
-    EXPECT_TRUE(all_positive(domain)) << "seed " << seed;
-    EXPECT_EQ(validate(domain.tree()), Problems{}) << "seed " << seed;
-  }
-  EXPECT_GT(with_copies, 20U);
-  EXPECT_GT(changed, 10U);
+  const auto run = [](TetDomain& domain, unsigned) {
+    const DecimateResult r = decimate(domain, to_faces(1)).surface;
+    return r.collapsed > 0;
+  };
+  expect_solids_stay_what_they_are(run, 1e-6, 10);
 }
 
 }  // namespace

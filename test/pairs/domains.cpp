@@ -107,13 +107,6 @@ bool is_positive(const Mesh& mesh, Index tet, const std::function<Vec3(Index)>& 
   return oracle::exact_orientation(p, false) > 0;
 }
 
-std::string inverted_tet(const Mesh& mesh, const std::function<Vec3(Index)>& at) {
-  for (Index t = 0; t < mesh.capacity(3); ++t)
-    if (mesh.is_live(3, t) && !is_positive(mesh, t, at))
-      return "tetrahedron " + std::to_string(t) + " is turned over";
-  return "";
-}
-
 /// A box of two materials: its boundary and the interface between them.
 class Tetrahedra final : public SurfaceInDomain {
  public:
@@ -173,12 +166,21 @@ class GluedBox final : public SurfaceInDomain {
 
 }  // namespace
 
+std::string inverted_tet(const Mesh& mesh, const std::function<Vec3(Index)>& at) {
+  for (Index t = 0; t < mesh.capacity(3); ++t)
+    if (mesh.is_live(3, t) && !is_positive(mesh, t, at))
+      return "tetrahedron " + std::to_string(t) + " is turned over";
+  return "";
+}
+
 std::vector<DomainCase> domain_cases() {
   using Pointer = std::unique_ptr<SurfaceInDomain>;
   return {
       {"TexturedSurface", []() -> Pointer { return std::make_unique<Textured>(); }, false, true},
       {"AttachedMesh", []() -> Pointer { return std::make_unique<AttachedMesh>(); }, false, true},
       {"SurfaceOfTetrahedra", []() -> Pointer { return std::make_unique<Tetrahedra>(); }, true, false},
+      {"InterfaceInTetrahedra", interface_in_tetrahedra, true, false},
+      {"TextureOverTetrahedra", texture_over_tetrahedra, true, false},
       {"PeriodicTile",
        []() -> Pointer { return std::make_unique<GluedBox>(square_tile(12, 10), along(true, true, false)); },
        false, false},

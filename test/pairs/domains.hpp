@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -39,8 +40,11 @@ inline void PrintTo(const DomainCase& c, std::ostream* out) {
   *out << c.name;
 }
 /// A textured surface, an attached OpenMesh mesh with texture and curve, the surface and the interfaces of
-/// tetrahedra, a tile, and the surface of the material in a tile of tetrahedra.
+/// tetrahedra, an interface as a mesh of its own, a textured surface of tetrahedra, a tile, and the surface
+/// of the material in a tile of tetrahedra.
 std::vector<DomainCase> domain_cases();
+std::unique_ptr<SurfaceInDomain> interface_in_tetrahedra();
+std::unique_ptr<SurfaceInDomain> texture_over_tetrahedra();
 
 /// What every algorithm must preserve: the Betti numbers of all meshes, and which faces are boundary.
 struct TreeFacts {
@@ -54,5 +58,9 @@ TreeFacts facts_of(const MultiMesh& tree);
 std::string fault_of(SurfaceInDomain& domain, const TreeFacts& before);
 
 std::size_t live_facets(const Mesh& mesh);
+
+/// A sentence about a tetrahedron that is not positive, by exact arithmetic that is not the library's; empty
+/// if there is none.
+std::string inverted_tet(const Mesh& mesh, const std::function<Vec3(Index)>& at);
 
 }  // namespace multimesh::test

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
+#include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/remesh_tile.hpp"
 #include "multimesh/embedding.hpp"
 #include "multimesh/validate.hpp"
+#include "test/improve/surface_distance.hpp"
 #include "test/periodic/betti.hpp"
 #include "test/periodic/tiles.hpp"
 
@@ -49,6 +52,56 @@ TEST_P(PeriodicRemesh, OfATileKeepsItsBoxAndTopology) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Lengths, PeriodicRemesh, testing::Values(0.04, 0.1, 0.2));
+
+/// A wave along each axis, such that opposite sides are at the same height.
+PeriodicTile waved(PeriodicTile tile) {
+  const auto wave = [](double x) { return std::sin(2 * std::numbers::pi * (x - std::floor(x))); };
+  for (auto& p : tile.points) p[2] = 0.1 * wave(p[0]) * wave(p[1]);
+  return tile;
+}
+
+/// Its triangles, and the copies of them around it.
+std::vector<PlainTriangle> triangles(const PeriodicTile& tile, std::initializer_list<double> shifts) {
+  std::vector<PlainTriangle> all;
+  for (std::size_t f = 0; f < tile.facets.size(); ++f)
+    for (const double x : shifts)
+      for (const double y : shifts) {
+        PlainTriangle t;
+        for (std::size_t i = 0; i < 3; ++i) {
+          t[i] = tile.points[tile.facets.facet(f)[i]];
+          t[i][0] += x, t[i][1] += y;
+        }
+        all.push_back(t);
+      }
+  return all;
+}
+
+// Across the sides, too: each vertex is near the other tile or a copy of it.
+TEST(PeriodicDecimate, MaxErrorBoundsTheDistanceModuloTheLattice) {
+  const PeriodicTile input = waved(square_tile(24, 20));
+  std::size_t last = 0;
+  for (const double limit : {0.002, 0.01}) {
+    PeriodicDomain domain(input, along(true, true, false));
+    DecimateOptions options;
+    options.max_error = limit;
+    const DecimateResult r = decimate(domain.embedding(TileSides::free), domain.tile(), options);
+    EXPECT_EQ(validate(domain.tree()), std::vector<std::string>{});
+    EXPECT_TRUE(copies_fit(domain));
+    EXPECT_EQ(inverted(domain), 0U);
+    EXPECT_EQ(r.stop, DecimateResult::Stop::bound);
+    EXPECT_GT(r.collapsed, last) << "a larger error allows more";
+    last = r.collapsed;
+    const double bound = (1 + 1e-9) * limit * domain.diagonal();
+    const PeriodicTile now = domain.tile_lists();
+    EXPECT_LE(sampled_distance(triangles(input, {0}), triangles(now, {-1, 0, 1}), 4), bound);
+    for (const auto& vertex : now.points) {
+      double nearest = HUGE_VAL;
+      for (const PlainTriangle& t : triangles(input, {-1, 0, 1}))
+        nearest = std::min(nearest, distance(vertex, t));
+      EXPECT_LE(nearest, bound);
+    }
+  }
+}
 
 /// In radians.
 double least_angle(const PeriodicTile& tile) {

@@ -4,37 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "multimesh/algorithms/domain_report.hpp"
 #include "multimesh/algorithms/remesh_domain.hpp"
 #include "multimesh/validate.hpp"
+#include "test/improve/domain_contract.hpp"
 #include "test/improve/made_domain.hpp"
 
 namespace multimesh::test {
 namespace {
 
 using Problems = std::vector<std::string>;
-using Triangle = std::array<std::array<double, 3>, 3>;
 
 DomainRemeshOptions with_length(double length) {
   DomainRemeshOptions o;
   o.length = length;
   o.iterations = 6;
   return o;
-}
-
-/// The triangles with a tag, by their points.
-std::set<Triangle> triangles_of_patch(const TaggedTetrahedra& t, TetDomain::Tag tag) {
-  std::set<Triangle> all;
-  for (std::size_t i = 0; i < t.triangles.size(); ++i) {
-    if (t.patches[i] != tag) continue;
-    const auto v = t.triangles.facet(i);
-    Triangle p{t.points[v[0]], t.points[v[1]], t.points[v[2]]};
-    std::ranges::sort(p);
-    all.insert(p);
-  }
-  return all;
 }
 
 class RemeshBox : public testing::TestWithParam<double> {};
@@ -83,69 +69,26 @@ TEST(RemeshDomain, GivesCurvedRegionsTheirVolumesBack) {
   EXPECT_GT(r.surface.moves, 0U);
 }
 
+void remesh_all(TetDomain& domain, const DomainLocks& locks) {
+  DomainRemeshOptions options = with_length(0.11);
+  static_cast<DomainLocks&>(options) = locks;
+  (void)remesh(domain, options);
+}
+
 TEST(RemeshDomain, LockedPatchesKeepTheirTriangles) {
-  const Box box = make_box({});
-  TetDomain domain(box.input);
-  DomainRemeshOptions options = with_length(0.11);
-  options.locked_patches = {11, 3};
-  (void)remesh(domain, options);
-  const TaggedTetrahedra after = domain.tagged();
-  for (const TetDomain::Tag tag : options.locked_patches)
-    EXPECT_EQ(triangles_of_patch(after, tag), triangles_of_patch(TetDomain(box.input).tagged(), tag)) << tag;
-  EXPECT_NE(triangles_of_patch(after, 12), triangles_of_patch(box.input, 12));
+  expect_locked_patches_keep_their_triangles(remesh_all);
 }
-
 TEST(RemeshDomain, LockedRegionsKeepTheirTetrahedra) {
-  const Box box = make_box({});
-  TetDomain domain(box.input);
-  DomainRemeshOptions options = with_length(0.11);
-  options.locked_regions = {1};
-  (void)remesh(domain, options);
-  const auto tets_of_region = [](const TaggedTetrahedra& t) {
-    std::multiset<std::array<std::array<double, 3>, 4>> all;
-    for (std::size_t i = 0; i < t.tets.size(); ++i) {
-      if (t.regions[i] != 1) continue;
-      const auto v = t.tets.facet(i);
-      std::array<std::array<double, 3>, 4> p{t.points[v[0]], t.points[v[1]], t.points[v[2]], t.points[v[3]]};
-      std::ranges::sort(p);
-      all.insert(p);
-    }
-    return all;
-  };
-  EXPECT_EQ(tets_of_region(domain.tagged()), tets_of_region(box.input));
+  expect_locked_regions_keep_their_tetrahedra(remesh_all);
 }
-
 TEST(RemeshDomain, RequiredTrianglesStay) {
-  Box box = make_box({});
-  box.input.triangle_flags.assign(box.input.triangles.size(), 0);
-  for (std::size_t i = 0; i < box.input.triangles.size(); ++i)
-    if (box.input.patches[i] == 14) box.input.triangle_flags[i] = required_simplex;
-  TetDomain domain(box.input);
-  (void)remesh(domain, with_length(0.11));
-  EXPECT_EQ(triangles_of_patch(domain.tagged(), 14), triangles_of_patch(box.input, 14));
+  expect_required_triangles_stay(remesh_all);
 }
-
 TEST(RemeshDomain, ADomainWithoutSurfaceIsRefused) {
-  TetDomainOptions none;
-  none.boundary = none.interfaces = false;
-  BoxOptions plain;
-  plain.sheet = plain.curve = false;
-  TaggedTetrahedra input = make_box(plain).input;
-  input.triangles = FacetList{2, 0, {}};
-  input.patches.clear();
-  TetDomain domain(input, none);
-  EXPECT_THROW((void)remesh(domain, with_length(0.1)), InputError);
+  expect_a_domain_without_surface_is_refused(remesh_all);
 }
-
 TEST(RemeshDomain, GivesTheSameTwice) {
-  const auto run = [] {
-    TetDomain domain(make_box({}).input);
-    (void)remesh(domain, with_length(0.1));
-    return domain.tagged();
-  };
-  const TaggedTetrahedra a = run(), b = run();
-  EXPECT_EQ(a.points, b.points);
-  EXPECT_EQ(a.tets.corners, b.tets.corners);
+  expect_the_same_twice(remesh_all);
 }
 
 }  // namespace

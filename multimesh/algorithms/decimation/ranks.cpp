@@ -20,6 +20,7 @@ Ranks::Ranks(EmbeddedMesh& surface, const DecimateOptions& options)
   rank_vertices();
   if (options.lock_boundary || options.lock_seams) lock(options.lock_boundary, options.lock_seams);
   if (strata_.may_facets_stay()) lock_what_stays();
+  if (strata_.may_edges_be_kept()) lock_kept_edges();
   surface.operations().add(curve_column_).add(rank_column_);
 }
 
@@ -50,6 +51,14 @@ void Ranks::lock_what_stays() {
     if (const Dart d = mesh_.is_live(0, v) ? mesh_.dart_of(0, v) : no_dart;
         d != no_dart && strata_.facets_stay_at(d))
       ranks_[v] = Rank::locked;
+}
+
+void Ranks::lock_kept_edges() {
+  for (Index e = 0; e < mesh_.capacity(1); ++e) {
+    const Dart d = mesh_.is_live(1, e) ? mesh_.dart_of(1, e) : no_dart;
+    if (d == no_dart || !strata_.is_kept(d)) continue;
+    for (const Dart end : {d, mesh_.reorder(d, exchange_ends)}) ranks_[mesh_.vertex(end)] = Rank::locked;
+  }
 }
 
 }  // namespace multimesh::decimation

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "multimesh/domains/make_mesh.hpp"
 #include "multimesh/domains/oriented_parts.hpp"
@@ -169,8 +171,9 @@ namespace {
 struct CurveEdge {
   std::array<Index, 2> ends{};  ///< input points
   int sheets = 0;               ///< faces of the surface around it
-  Tag patches[2]{};             ///< of two of them
-  Point normals[2]{};           ///< theirs, of length 1, or 0
+  /// Of two of them: the patch, and whether they are there only as boundary.
+  std::pair<Tag, bool> patches[2]{};
+  Point normals[2]{};  ///< theirs, of length 1, or 0
   bool has_tag = false;
   Tag tag = 0;
   std::uint8_t flags = unlisted_simplex;
@@ -185,8 +188,9 @@ struct CurveEdge {
   }
   /// Curves end where this changes.
   auto kind() const {
-    const auto [low, high] = std::minmax(patches[0], patches[1]);
-    return std::array<Tag, 5>{sheets, sheets == 2 ? low : 0, sheets == 2 ? high : 0, has_tag, tag};
+    auto sides = std::pair<std::pair<Tag, bool>, std::pair<Tag, bool>>();
+    if (sheets == 2) sides = std::minmax({patches[0], patches[1]});
+    return std::tuple(sheets, sides, has_tag, tag);
   }
 };
 
@@ -238,7 +242,7 @@ void add_edges_of_surface(const TetDomain::Data& domain, const JoinedMesh& joine
       const Index ends[2] = {v[i], v[(i + 1) % 3]};
       CurveEdge& e = out.at(ends);
       if (e.sheets < 2) {
-        e.patches[e.sheets] = (*domain.patches)[f];
+        e.patches[e.sheets] = {(*domain.patches)[f], (*domain.implied)[f] != 0};
         const bool ascends = joined.source[ends[0]] < joined.source[ends[1]];
         e.normals[e.sheets] = ascends == (e.sheets == 0) ? normal : -normal;
       }
@@ -307,7 +311,7 @@ std::vector<bool> add_curves(const TaggedTetrahedra& input, const TetDomainOptio
   std::vector<bool> touching = touching_points(out, source, curves, options.feature_angle);
 
   tet::TetMesh& root = *out.mesh;
-  std::vector<std::set<std::array<Tag, 5>>> kinds(input.points.size());
+  std::vector<std::set<decltype(CurveEdge().kind())>> kinds(input.points.size());
   for (const CurveEdge& e : curves.edges)
     if (e.is_curve(options.feature_angle))
       for (const Index p : e.ends) kinds[p].insert(e.kind());

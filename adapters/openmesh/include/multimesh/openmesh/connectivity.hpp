@@ -42,6 +42,7 @@ class Connectivity : public Mesh {
   // by fixed rules, whatever their type, unless they are left to somebody else.
   bool has_values(int k) const override;
   void keep(int k, std::unique_ptr<ValueList> values) override;
+  void drop(int k, const void* values) override;
   /// From now on, as long as `still` says so, somebody else writes this property in operations, with a
   /// journal of its own.
   void leave(const OpenMesh::BaseProperty& property, std::function<bool()> still);

@@ -93,6 +93,7 @@ class TetMesh final : public Mesh {
 
   // --- properties
   void keep(int k, std::unique_ptr<ValueList> values) override;
+  void drop(int k, const void* values) override;
   /// Adds a column; the mesh owns it, the reference stays valid until it is removed. T{} everywhere.
   /// \throw UsageError if the name is taken
   template <class T>
