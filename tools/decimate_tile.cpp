@@ -12,6 +12,7 @@
 #include "multimesh/algorithms/decimate_domain.hpp"
 #include "tools/decimate_report.hpp"
 #include "tools/quality_json.hpp"
+#include "tools/tile_page.hpp"
 #include "tools/warnings.hpp"
 
 namespace multimesh::tools {
@@ -64,6 +65,8 @@ PeriodicArguments& with_corners(DecimateArguments& a) {
 void run(Task task, RunReport& report) {
   auto& [a, file, domain, is_solid, sides, options] = task;
   const TileTopology before = topology_of(domain);
+  std::optional<TilePage> page;
+  if (report.wants_page()) page.emplace(domain);
   Json tile_before, tile_after;
   if (report.wanted()) tile_before = to_json(domain, before);
   const std::size_t facets = task.facets();
@@ -83,6 +86,7 @@ void run(Task task, RunReport& report) {
   if (is_solid) j["tetrahedra"] = to_json(r.tetrahedra->after);
   if (report.wanted()) tile_after = to_json(domain, after);
   j["periodic"] = {{"sides", name_of(sides)}, {"before", tile_before}, {"after", tile_after}};
+  if (page) page->show(report, domain, a.input, a.output);
   report.finish(file.warnings, a.quiet);
   if (a.quiet) return;
   std::cerr << r.surface.faces_before << " faces -> " << r.surface.faces_after;
@@ -98,7 +102,7 @@ void add_tile_options(CLI::App& command, DecimateArguments& a) {
   for (const char* other :
        {"--lock-boundary", "--lock-seams", "--max-texture-error", "--levels", "--preserve-materials",
         "--uv-weight", "--seam-weight", "--uv-curve-weight", "--follow-paths", "--weld", "--uv-weld",
-        "--measure", "--report-html", "--lock-patch", "--lock-region", "--no-periodic"})
+        "--measure", "--lock-patch", "--lock-region", "--no-periodic"})
     periodic->excludes(command.get_option(other));
 }
 

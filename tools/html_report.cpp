@@ -91,6 +91,21 @@ void write_bundle(io::AtomicFile& file, std::span<const std::string_view> pieces
   for (const std::string_view piece : pieces) file.write(piece);
 }
 
+Json histograms(const HtmlReport& report) {
+  Json all = Json::array();
+  for (const HtmlHistogram& h : report.histograms)
+    all.push_back({{"name", h.name}, {"bounds", h.bounds}, {"before", h.before}, {"after", h.after}});
+  return all;
+}
+
+/// In the units of the meshes in the page.
+Json periods(const HtmlReport& report) {
+  const double size = common_frame(report.before.surface, report.after.surface).size;
+  Json all = Json::array();
+  for (const Vec3& v : report.periods) all.push_back({v[0] / size, v[1] / size, v[2] / size});
+  return all;
+}
+
 Json write_page(io::AtomicFile& file, const HtmlReport& report, const ViewerBundle& bundle) {
   Json notes = Json::array();
   const Contents shown = contents(report, notes);
@@ -116,6 +131,8 @@ Json write_page(io::AtomicFile& file, const HtmlReport& report, const ViewerBund
                     {"textures", textures.names()},
                     {"notes", notes},
                     {"errors", std::move(errors)},
+                    {"histograms", histograms(report)},
+                    {"periods", periods(report)},
                     {"numbers", report.numbers}};
   file.write("<script type=\"application/json\" id=\"report\">" + json_for_html(all) + "</script>\n");
   const HtmlFrame frame = common_frame(report.before.surface, report.after.surface);

@@ -25,12 +25,21 @@ struct HtmlError {
   std::vector<double> values;
 };
 
+/// How many elements of each mesh have a quality between two bounds.
+struct HtmlHistogram {
+  std::string name;
+  std::vector<double> bounds;  ///< one more than there are bins
+  std::vector<std::size_t> before, after;
+};
+
 /// Two meshes side by side, or one, and numbers.
 struct HtmlReport {
   std::string title;
   HtmlMesh before = {};  ///< without triangles: there is only one mesh
   HtmlMesh after = {};
   std::vector<HtmlError> errors = {};
+  std::vector<HtmlHistogram> histograms = {};
+  std::vector<Vec3> periods = {};  ///< if the meshes are tiles: the page can repeat them, two along each
   /// Shown as tables. Known fields: `before` and `after`, as made by to_json for a surface; `comparison`;
   /// `seconds`, `stopped_by`, `warnings`. All others are shown by their names.
   Json numbers = Json::object();

@@ -23,6 +23,7 @@
 #include "tools/output_check.hpp"
 #include "tools/periodic_arguments.hpp"
 #include "tools/quality_json.hpp"
+#include "tools/tile_page.hpp"
 #include "tools/warnings.hpp"
 #endif
 
@@ -194,6 +195,8 @@ void run_on_tile(const ImproveArguments& a, RunReport& report) {
       a.relative_envelope > 0 ? a.relative_envelope * domain.diagonal() : a.options.envelope;
   if (envelope > 0) options.confined = in_envelope(domain, envelope);
   const TileTopology before = topology_of(domain);
+  std::optional<TilePage> page;
+  if (report.wants_page()) page.emplace(domain);
   Json tile_before, tile_after;
   if (report.wanted()) tile_before = tools::to_json(domain, before);
   const ImproveResult r =
@@ -206,6 +209,7 @@ void run_on_tile(const ImproveArguments& a, RunReport& report) {
   report.json() = to_json(a, r);
   if (report.wanted()) tile_after = tools::to_json(domain, after);
   report.json()["periodic"] = {{"sides", name_of(sides)}, {"before", tile_before}, {"after", tile_after}};
+  if (page) page->show(report, domain, a.input, a.output);
   if (!report.is_printed()) print(a, r);
   report.finish(file.warnings);
 }
@@ -311,7 +315,7 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   auto* periodic = add_periodic_tile_options(*command, a->periodic);
   add_tile_output_options(*command, a->periodic);
   for (const char* other : {"--lock-region", "--lock-patch", "--lock-surface", "--feature-angle", "--weld",
-                            "--no-weld", "--no-periodic", "--report-html"})
+                            "--no-weld", "--no-periodic"})
     periodic->excludes(command->get_option(other));
   command->footer(
       "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --report report.json\n"

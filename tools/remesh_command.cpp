@@ -67,7 +67,7 @@ void add_options(CLI::App& command, RemeshArguments& a) {
 #endif
   auto* periodic = add_periodic_tile_options(command, a.periodic);
   add_tile_output_options(command, a.periodic);
-  for (const char* other : {"--lock-seams", "--lock-boundary", "--weld", "--report-html",
+  for (const char* other : {"--lock-seams", "--lock-boundary", "--weld",
 #ifdef MULTIMESH_WITH_IMPROVE
                             "--lock-patch", "--lock-region", "--no-periodic",
 #endif

@@ -14,6 +14,7 @@
 #include "multimesh/error.hpp"
 #include "tools/joined_check.hpp"
 #include "tools/quality_json.hpp"
+#include "tools/tile_page.hpp"
 #include "tools/warnings.hpp"
 
 namespace multimesh::tools {
@@ -77,6 +78,8 @@ void remesh_tile(RemeshArguments& a, RunReport& report) {
   const TileSides usual = domain.has_flat_sides() ? TileSides::flat : TileSides::free;
   const TileSides sides = requested_sides(a.periodic).value_or(usual);
   const TileTopology before = topology_of(domain);
+  std::optional<TilePage> page;
+  if (report.wants_page()) page.emplace(domain);
   Json tile_before, tile_after;
   if (report.wanted()) tile_before = to_json(domain, before);
   const Remeshed r = io::naming(a.input, [&] { return run(domain, sides, a); });
@@ -93,6 +96,7 @@ void remesh_tile(RemeshArguments& a, RunReport& report) {
   if (r.tetrahedra) j["tetrahedra"] = to_json(r.tetrahedra->after);
   if (report.wanted()) tile_after = to_json(domain, after);
   j["periodic"] = {{"sides", name_of(sides)}, {"before", tile_before}, {"after", tile_after}};
+  if (page) page->show(report, domain, a.input, a.output);
   report.finish(file.warnings, a.quiet);
   if (a.quiet) return;
   std::cerr << file.tile.facets.size() << (r.tetrahedra ? " tetrahedra -> " : " faces -> ")

@@ -5,6 +5,7 @@ import test from 'node:test';
 import { bundleSource } from '../../tools/viewer/bundle_source.mjs';
 import { cssRamp, ramp } from '../../tools/viewer/src/color_ramp.js';
 import { findEdges, findSeams } from '../../tools/viewer/src/edges.js';
+import { shares } from '../../tools/viewer/src/histogram.js';
 import { errorScale } from '../../tools/viewer/src/legend.js';
 import { formatNumber, formatPercent, formatValue, label } from '../../tools/viewer/src/number_format.js';
 import { none } from '../../tools/viewer/src/page_data.js';
@@ -87,4 +88,9 @@ test('text becomes a C++ string', () => {
   const source = bundleSource({ page: 'a"b\\c\n\u00a9??/7', script: '', style: 'x'.repeat(20000) });
   assert.ok(source.includes(String.raw`"a\"b\\c\n\302\251\?\?/7"sv,`));
   assert.equal(source.match(/"x+"sv/g).length, 3);
+});
+
+test('a histogram shows shares, also of nothing', () => {
+  assert.deepEqual(shares([1, 3, 0]), [0.25, 0.75, 0]);
+  assert.deepEqual(shares([0, 0]), [0, 0]);
 });

@@ -3,6 +3,7 @@
 import { AtlasCard } from './atlas_card.js';
 import { findEdges, findSeams } from './edges.js';
 import { byId, element } from './element.js';
+import { histogram } from './histogram.js';
 import { loadImages } from './images.js';
 import { errorScale } from './legend.js';
 import { formatNumber } from './number_format.js';
@@ -46,6 +47,11 @@ function fillNumbers(page, scales) {
   byId('numbers').append(...numberTables(page.numbers));
 }
 
+function fillHistograms(histograms) {
+  byId('histogram-card').hidden = histograms.length === 0;
+  byId('histograms').append(...histograms.map(histogram));
+}
+
 function fillNotes(notes) {
   byId('notices').hidden = notes.length === 0;
   byId('notes').replaceChildren(...notes.map((note) => element('li', {}, note)));
@@ -59,13 +65,14 @@ async function main() {
   byId('generator').textContent = page.generator;
   fillCaptions(page);
   fillNumbers(page, scales);
+  fillHistograms(page.histograms);
   fillNotes(notes);
 
   const meshes = readMeshes(page);
   const images = await loadImages(page.textures, notes);
   const atlas = new AtlasCard(meshes, images);
   try {
-    new SurfaceCard(meshes, images, scales).start();
+    new SurfaceCard(meshes, images, scales, page.periods).start();
   } catch (error) {
     notes.push(`No 3D views: ${error.message}`);
   }

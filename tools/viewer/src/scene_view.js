@@ -4,6 +4,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   DirectionalLight,
+  Group,
   HemisphereLight,
   LineBasicMaterial,
   LineSegments,
@@ -30,7 +31,10 @@ export class SceneView {
     this.runs = runs;
     this.errors = errors;
     this.surface = new Mesh(geometry);
-    this.scene.add(this.surface);
+    this.tile = new Group();
+    this.tile.add(this.surface);
+    this.scene.add(this.tile);
+    this.places = [[0, 0, 0]];
     this.byMode = new Map();
     this.lines = new Map();
   }
@@ -40,6 +44,16 @@ export class SceneView {
     if (mode === 'error' && this.errors.length > 0) this.surface.geometry.setAttribute('uv1', this.errors[error]);
     if (!this.byMode.has(mode)) this.byMode.set(mode, this.materials.of(this.mesh, this.runs, mode));
     this.surface.material = this.byMode.get(mode);
+  }
+
+  /** Triangles of a material whose name says that it is that of a side of a tile. */
+  showSides(show) {
+    const { geometry } = this.surface;
+    geometry.clearGroups();
+    this.runs.forEach((run, i) => {
+      if (show || !this.mesh.materials[run.material].name.startsWith('side '))
+        geometry.addGroup(3 * run.begin, 3 * run.count, i);
+    });
   }
 
   showWireframe(show) {
@@ -67,7 +81,7 @@ export class SceneView {
   show(name, visible, make) {
     if (visible && !this.lines.has(name)) {
       this.lines.set(name, make());
-      this.scene.add(this.lines.get(name));
+      this.tile.add(this.lines.get(name));
     }
     if (this.lines.has(name)) this.lines.get(name).visible = visible;
   }
@@ -81,6 +95,11 @@ export class SceneView {
     renderer.setViewport(left, bottom, box.width, box.height);
     renderer.setScissor(left, bottom, box.width, box.height);
     this.light.position.copy(camera.position).add(camera.up);
-    renderer.render(this.scene, camera);
+    this.places.forEach((place, i) => {
+      this.tile.position.set(...place);
+      renderer.autoClear = i === 0;
+      renderer.render(this.scene, camera);
+    });
+    renderer.autoClear = true;
   }
 }

@@ -16,10 +16,23 @@ function radius(meshes) {
   return Math.sqrt(square) || 1;
 }
 
+/** Where the tile lies when it is repeated, two along each period, centred. */
+export function cells(periods) {
+  return periods.reduce(
+    (places, period) => [-0.5, 0.5].flatMap((n) => places.map((p) => p.map((x, k) => x + n * period[k]))),
+    [[0, 0, 0]]);
+}
+
 export class SurfaceCard {
-  /** `scales`: of the errors, see legend.js. \throw Error where there is no WebGL */
-  constructor(meshes, images, scales) {
+  /**
+   * `scales`: of the errors, see legend.js. `periods`: of tiles; none: the meshes are no tiles.
+   * \throw Error where there is no WebGL
+   */
+  constructor(meshes, images, scales, periods) {
     this.scales = scales;
+    this.periods = periods;
+    this.isRepeated = false;
+    for (const choice of document.querySelectorAll('.tile-only')) choice.hidden = periods.length === 0;
     this.form = byId('toolbar');
     this.stage = new Stage(byId('stage'), byId('canvas'), radius(meshes));
     this.materials = new SurfaceMaterials(images, this.stage.anisotropy);
@@ -51,13 +64,22 @@ export class SurfaceCard {
     return element('label', {}, input, element('span', {}, name));
   }
 
+  repeat() {
+    this.isRepeated = !this.isRepeated;
+    for (const view of this.stage.views) view.places = this.isRepeated ? cells(this.periods) : [[0, 0, 0]];
+    this.stage.radius *= this.isRepeated ? 2 : 0.5;
+    this.stage.reset();
+  }
+
   apply() {
     const { value: mode, dataset } = this.form.querySelector('input[name=mode]:checked');
     const error = Number(dataset.error ?? 0);
     if (this.materials.flat !== byId('flat').checked) this.materials.setFlat(byId('flat').checked);
     byId('legend').hidden = mode !== 'error';
     if (mode === 'error') fillLegend(byId('legend'), this.scales[error]);
+    if (byId('repeat').checked !== this.isRepeated) this.repeat();
     for (const view of this.stage.views) {
+      view.showSides(byId('sides').checked);
       view.setMode(mode, error);
       view.showWireframe(byId('wireframe').checked);
       view.showSeams(byId('seams').checked, themeColor('--seam'));
