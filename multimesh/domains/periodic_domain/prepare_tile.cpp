@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multimesh/domains/periodic_domain/fit_copies.hpp"
 #include "multimesh/domains/periodic_domain/glue_tile.hpp"
 #include "multimesh/domains/periodic_domain/match_sides.hpp"
 #include "multimesh/domains/periodic_domain/open_sides.hpp"
@@ -61,20 +62,6 @@ Lattice lattice_of(const PeriodicOptions& options, const Vec3& extents, double t
   return Lattice(axes, periods);
 }
 
-// Copies get the place of their representative, shifted. Those that fit but for rounding stay: a tile that
-// was written is read as it was, with its thinnest facets.
-void fit_copies(LabelledTile& tile, const Lattice& lattice, VertexClasses& classes, PeriodicReport& report,
-                double diagonal) {
-  constexpr double rounding = 1e-15;
-  for (Index v = 0; v < tile.point.size(); ++v) {
-    if (tile.vertex_class[v] == no_index) continue;
-    const Vec3 place = tile.point[classes.representative(v)] + lattice.shift(tile.offset[v]);
-    const double distance = (place - tile.point[v]).norm() / diagonal;
-    report.largest_shift = std::max(report.largest_shift, distance);
-    if (distance > rounding) tile.point[v] = place;
-  }
-}
-
 std::vector<Index> used_vertices(const FacetList& facets) {
   std::vector<bool> is_used(facets.vertices, false);
   for (const Index v : facets.corners) is_used[v] = true;
@@ -117,7 +104,8 @@ PreparedTile prepare_tile(const PeriodicTile& input, const PeriodicOptions& opti
   if (!(diagonal > 0)) throw InputError("all vertices of the tile lie at the same place");
   const double tolerance = options.tolerance * diagonal;
 
-  Lattice lattice = lattice_of(options, high - low, tolerance, report.dropped_axes);
+  Lattice lattice =
+      lattice_of(options, box_without_noise(tile.point, used, diagonal), tolerance, report.dropped_axes);
   VertexClasses classes(tile.point.size());
   std::vector<LatticeVector> vectors;
   if (options.pairs.empty()) {
@@ -137,7 +125,7 @@ PreparedTile prepare_tile(const PeriodicTile& input, const PeriodicOptions& opti
     tile.vertex_class[v] = n;
     tile.offset[v] = classes.offset(v);
   }
-  fit_copies(tile, lattice, classes, report, diagonal);
+  report.largest_shift = fit_copies(tile, lattice, classes, diagonal);
   require_no_open_sides(tile, lattice, vectors, tolerance);
   make_proper(tile, options.refine, report);
   return {std::move(tile), std::move(lattice), diagonal};
