@@ -170,8 +170,9 @@ class PeriodicDomain {
   /// The tile with its positions, for algorithms on it and on meshes below it. A vertex moves with all its
   /// copies, and no facet may be inverted (triangles, as seen against the mean normal: unless some are at
   /// first). In a tile of triangles, side edges are curves: vertices of sides stay on them, and their ends do
-  /// not move. The root has no positions, nor have its other children. Must not outlive the domain. Cost:
-  /// linear
+  /// not move. A tile of tetrahedra whose sides may move is anchored: one vertex with the most copies is
+  /// locked, with all of them. The root has no positions, nor have its other children. Must not outlive the
+  /// domain. Cost: linear
   Embedding embedding(TileSides sides = TileSides::flat);
 
   /// For the tile as built: the facet and the vertex of the input; no_index for vertices of `refine`.

@@ -55,6 +55,30 @@ TEST(PeriodicMatch, ToleratesNoiseAndRemovesIt) {
   EXPECT_NE(refusal(tile, strict), "");
 }
 
+/// Most points of the sides are exact, as generators write them; some are off by their rounding.
+TEST(PeriodicMatch, NoiseInTheSidesOfABoxLeavesNoTrace) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 20; ++round) {
+    const PeriodicTile exact = cube_tile(4);
+    PeriodicTile noisy = exact;
+    for (auto& p : noisy.points)
+      for (double& x : p)
+        if (random() % 5 == 0) x += (static_cast<double>(random() % 200) - 100) * 1e-15;
+    const PeriodicDomain domain(noisy, along(true, true, true));
+    const auto points = domain.tile_lists().points;
+    EXPECT_EQ(domain.lattice().periods(), Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+    for (std::size_t v = 0; v < points.size(); ++v)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const double x = exact.points[v][i]; x == 0 || x == 1) {
+          EXPECT_EQ(points[v][i], x);
+        }
+    for (const PeriodicCopy& c : domain.copies())
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(points[c.slave][i], points[c.master][i] + c.shift[i]);
+    const PeriodicDomain again(domain.tile_lists(), domain.gluing());
+    EXPECT_EQ(again.tile_lists().points, points);
+  }
+}
+
 TEST(PeriodicMatch, TakesGivenPairs) {
   const PeriodicTile tile = square_tile(4, 4);
   PeriodicOptions given = xy;

@@ -67,6 +67,10 @@ struct PeriodicDomain::Data {
       if (copies[glued.root_class[v]] > 1) tree.mesh(NodeId::root).set_locked(v, true);
   }
 
+  /// Locks a vertex with many copies, unless one is locked: nothing else would hold a torus of tetrahedra in
+  /// its place.
+  void anchor();
+
   /// Whether a face of the boundary of the tile is glued.
   bool is_glued(Dart face) const {
     const int k = tree.mesh(tile).dimension() - 1;

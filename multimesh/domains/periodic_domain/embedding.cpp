@@ -98,8 +98,26 @@ void CopiesKeepTheirOffsets::finish(const Event& event) {
   }
 }
 
+void PeriodicDomain::Data::anchor() {
+  Mesh& root = tree.mesh(NodeId::root);
+  DartBuffer in_tile;
+  std::size_t most = 0;
+  Index best = no_index;
+  for (Index v = 0; v < root.capacity(0); ++v) {
+    if (!root.is_live(0, v) || root.dart_of(0, v) == no_dart) continue;
+    if (root.is_locked(v)) return;
+    in_tile.clear();
+    tree.to_child(tile, root.dart_of(0, v), 0, in_tile);
+    if (in_tile.size() > most) most = in_tile.size(), best = v;
+  }
+  root.set_locked(best, true);
+}
+
 Embedding PeriodicDomain::embedding(TileSides sides) {
   if (sides == TileSides::frozen) (void)add_cuts();
+  const bool is_solid = tree().mesh(tile()).dimension() == 3;
+  const bool may_drift = sides == TileSides::free || (sides == TileSides::flat && !has_flat_sides());
+  if (is_solid && may_drift) data_->anchor();
   Embedding e(tree());
   e.set(LegalityOptions{.contact = true});
   e.add(offsets());
@@ -108,8 +126,7 @@ Embedding PeriodicDomain::embedding(TileSides sides) {
   e.add<CopiesKeepTheirOffsets>(*this);
   const Coordinates& places = e.add_coordinates(
       std::make_unique<TileCoordinates>(*this, sides == TileSides::flat), Embedding::Kind::space);
-  if (tree().mesh(tile()).dimension() == 3 || report().inverted_facets == 0)
-    e.keep_orientation(places, mean_normal(*this));
+  if (is_solid || report().inverted_facets == 0) e.keep_orientation(places, mean_normal(*this));
   e.tell_parts(tile(), *data_->part);
   if (sides == TileSides::frozen && data_->cuts)
     e.keep("the sides of the tile are frozen", [cuts = *data_->cuts](NodeId n, Index) { return n == cuts; });
