@@ -8,6 +8,7 @@
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/files/surface_file.hpp"
 #include "multimesh/operations.hpp"
+#include "periodic_tile.hpp"
 #include "picture.hpp"
 
 namespace multimesh::figures {
@@ -205,6 +206,7 @@ int main(int argc, char** argv) try {
   surface_and_texture(spot, argv[2]);
   operations_across_a_seam(spot, argv[2]);
   remeshed(spot, argv[2]);
+  periodic_tiles(argv[2]);
   remeshed_tetrahedra(coarse(spot, 1500), argv[2]);
 } catch (const std::exception& e) {
   std::cerr << e.what() << '\n';
