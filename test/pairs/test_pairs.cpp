@@ -2,9 +2,14 @@
 // Each algorithm for surfaces in each domain: the same call, and everything else in the tree follows.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <set>
+
 #include "multimesh/algorithms/decimate.hpp"
 #include "multimesh/algorithms/remesh.hpp"
 #include "multimesh/algorithms/subdivide.hpp"
+#include "multimesh/strata.hpp"
 #include "test/pairs/domains.hpp"
 
 namespace multimesh::test {
@@ -64,6 +69,47 @@ TEST_P(Pairs, DecimateReachesTheCount) {
   EXPECT_EQ(r.stop, DecimateResult::Stop::faces);
   EXPECT_EQ(r.faces_after, live_facets(mesh()));
   EXPECT_NEAR(domain_->area(), area_, tolerance());
+}
+
+// Told of the root, and asked of the surface wherever it is.
+TEST_P(Pairs, DecimateLeavesEdgesThatAnInvariantKeeps) {
+  const MultiMesh& tree = domain_->tree();
+  const auto ends = [](const Mesh& in, Dart e) {
+    const Index a = in.vertex(e), b = in.vertex(in.reorder(e, exchange_ends));
+    return std::pair(std::min(a, b), std::max(a, b));
+  };
+  const auto places = [&] {
+    std::multiset<std::array<Vec3, 2>> all;
+    for (Index e = 0; e < mesh().capacity(1); ++e) {
+      if (!mesh().is_live(1, e)) continue;
+      const Dart d = mesh().dart_of(1, e);
+      std::array<Vec3, 2> p{domain_->place(d), domain_->place(mesh().reorder(d, exchange_ends))};
+      std::ranges::sort(p);
+      all.insert(p);
+    }
+    return all;
+  };
+  std::set<std::pair<Index, Index>> kept;
+  for (Index e = 0; e < mesh().capacity(1); e += 29)
+    kept.insert(ends(tree.mesh(NodeId::root), tree.to_root(domain_->surface(), mesh().dart_of(1, e))));
+  Embedding embedding = domain_->embedding();
+  embedding.tell_kept_edges(NodeId::root,
+                            [&](Dart e) { return kept.contains(ends(tree.mesh(NodeId::root), e)); });
+  const Strata strata(embedding, domain_->surface());
+  std::multiset<std::array<Vec3, 2>> before;
+  for (Index e = 0; e < mesh().capacity(1); ++e) {
+    const Dart d = mesh().dart_of(1, e);
+    if (!strata.is_kept(d)) continue;
+    std::array<Vec3, 2> p{domain_->place(d), domain_->place(mesh().reorder(d, exchange_ends))};
+    std::ranges::sort(p);
+    before.insert(p);
+  }
+  EXPECT_GE(before.size(), kept.size());
+  DecimateOptions options;
+  options.faces = 1;
+  EXPECT_GT(decimate(embedding, domain_->surface(), options).collapsed, 10U);
+  const auto after = places();
+  EXPECT_TRUE(std::ranges::includes(after, before));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Pairs, testing::ValuesIn(domain_cases()),

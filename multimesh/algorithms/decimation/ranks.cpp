@@ -20,7 +20,7 @@ Ranks::Ranks(EmbeddedMesh& surface, const DecimateOptions& options)
   rank_vertices();
   if (options.lock_boundary || options.lock_seams) lock(options.lock_boundary, options.lock_seams);
   if (strata_.may_facets_stay()) lock_what_stays();
-  if (strata_.may_edges_be_kept()) lock_kept_edges();
+  if (strata_.may_edges_be_kept()) lock_kept_edges(surface.tree(), surface.node());
   surface.operations().add(curve_column_).add(rank_column_);
 }
 
@@ -53,11 +53,16 @@ void Ranks::lock_what_stays() {
       ranks_[v] = Rank::locked;
 }
 
-void Ranks::lock_kept_edges() {
+// All copies of an end: what is done to one is done to all.
+void Ranks::lock_kept_edges(const MultiMesh& tree, NodeId node) {
+  Copies copies;
   for (Index e = 0; e < mesh_.capacity(1); ++e) {
     const Dart d = mesh_.is_live(1, e) ? mesh_.dart_of(1, e) : no_dart;
     if (d == no_dart || !strata_.is_kept(d)) continue;
-    for (const Dart end : {d, mesh_.reorder(d, exchange_ends)}) ranks_[mesh_.vertex(end)] = Rank::locked;
+    for (const Dart end : {d, mesh_.reorder(d, exchange_ends)}) {
+      copies.collect(tree, node, end, 0);
+      for (const Copy& c : copies.of(node)) ranks_[mesh_.vertex(c.dart)] = Rank::locked;
+    }
   }
 }
 

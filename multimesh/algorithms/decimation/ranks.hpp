@@ -54,7 +54,7 @@ class Ranks {
   void rank_vertices();
   void lock(bool boundary, bool seams);
   void lock_what_stays();
-  void lock_kept_edges();
+  void lock_kept_edges(const MultiMesh& tree, NodeId node);
 
   const Mesh& mesh_;
   bool has_sheets_;
