@@ -194,6 +194,7 @@ void run_on_tile(const ImproveArguments& a, RunReport& report) {
   const double envelope =
       a.relative_envelope > 0 ? a.relative_envelope * domain.diagonal() : a.options.envelope;
   if (envelope > 0) options.confined = in_envelope(domain, envelope);
+  if (a.options.lock_surface) options.confined = fixed_walls(domain);
   const TileTopology before = topology_of(domain);
   std::optional<TilePage> page;
   if (report.wants_page()) page.emplace(domain);
@@ -217,6 +218,7 @@ void run_on_tile(const ImproveArguments& a, RunReport& report) {
 void run(ImproveArguments a, RunReport& report) {
   show_progress(a);
   a.set_splits();
+  if (a.feature_angle > 0) a.periodic.feature_angle = a.feature_angle;
   if (a.periodic.is_given()) return run_on_tile(a, report);
   check_output_path(a.output, {a.input}, a.format);
   files::DomainFile file = files::read_domain(a.input, a.taken);
@@ -314,8 +316,7 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   add_old_json_file(*command, a->report);
   auto* periodic = add_periodic_tile_options(*command, a->periodic);
   add_tile_output_options(*command, a->periodic);
-  for (const char* other : {"--lock-region", "--lock-patch", "--lock-surface", "--feature-angle", "--weld",
-                            "--no-weld", "--no-periodic"})
+  for (const char* other : {"--lock-region", "--lock-patch", "--weld", "--no-weld", "--no-periodic"})
     periodic->excludes(command->get_option(other));
   command->footer(
       "Example:  multimesh improve in.msh -o out.msh --target-amips 8 --report report.json\n"

@@ -199,7 +199,10 @@ TEST_F(PeriodicCommands, DecimateRefusesWhatATileHasNoUseFor) {
 TEST_F(PeriodicCommands, ImproveKeepsRegionsNamesAndTheBox) {
   write_cube("in.msh", 5);
   const Json before = tile("in.msh", {"--periodic", "xyz"});
-  for (const Arguments& more : {Arguments{}, {"--msh2"}, {"--relative-envelope", "0.01"}}) {
+  for (const Arguments& more : {Arguments{},
+                                {"--msh2"},
+                                {"--relative-envelope", "0.01"},
+                                {"--lock-surface", "--feature-angle", "40"}}) {
     Arguments arguments{"improve",      "in.msh",     "-o",
                         "out.msh",      "--periodic", "xyz",
                         "--max-passes", "3",          "--abaqus-equations",
