@@ -14,6 +14,8 @@ void add_compare_command(CLI::App& app, int& exit_code);
 void add_decimate_command(CLI::App& app, int& exit_code);
 /// In a build without multimesh::improve, the command only says that it is missing.
 void add_improve_command(CLI::App& app, int& exit_code);
+/// In a build without TetGen or GMP, the command only says that it is missing.
+void add_insert_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 void add_remesh_command(CLI::App& app, int& exit_code);
 /// In a build without TetGen, the command only says that it is missing.

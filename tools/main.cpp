@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   tools::add_info_command(app, exit_code);
   tools::add_remesh_command(app, exit_code);
   tools::add_tetrahedralize_command(app, exit_code);
+  tools::add_insert_command(app, exit_code);
   tools::add_validate_command(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -40,10 +40,12 @@ class Insertion {
  public:
   Insertion(const TriangleSoup& soup, const BackgroundMesh& background, const InsertOptions& options)
       : options_(options),
-        polygons_(insertion::make_polygons(soup.points, merged(soup, background), options.merge_coplanar)),
+        polygons_(insertion::make_polygons(soup.points, merged(soup, background), soup.labels,
+                                           options.merge_coplanar)),
         cells_(background.tets, background.points),
         walk_(cells_, options.snap, counts_),
         front_(cells_, walk_, options.snap, counts_),
+        points_of_soup_(static_cast<Index>(soup.points.size())),
         most_points_(options.most_points > 0 ? options.most_points
                                              : points_per_triangle * soup.triangles.size() + points_of_grid),
         thinning_(cells_, static_cast<Index>(background.points.size())),
@@ -61,7 +63,7 @@ class Insertion {
     Arrangement result;
     result.report = report();
     find_again(result);  // segments are straight only before rounding
-    result.report.unrounded = options_.round ? cells_.round() : result.report.exact_points;
+    result.report.unrounded = options_.round ? cells_.round(points_of_soup_) : result.report.exact_points;
     list_tets(result);
     for (Polygon& p : polygons_.all) result.triangles.push_back(std::move(p.triangles));
     return result;
@@ -168,6 +170,7 @@ class Insertion {
   Cells cells_;
   SegmentWalk walk_;
   Front front_;
+  Index points_of_soup_;
   std::size_t most_points_, steps_ = 0, removed_ = 0;
   Thinning thinning_;
   std::size_t live_;  // before

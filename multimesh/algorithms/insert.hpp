@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@ namespace multimesh {
 struct TriangleSoup {
   std::vector<Vec3> points;
   FacetList triangles;
+  std::vector<std::int32_t> labels{};  ///< per triangle, or empty: all alike
 };
 
 /// Tetrahedra of a box around the points of a soup: of positive orientation, manifold, and convex as a whole.
@@ -28,13 +30,14 @@ struct BackgroundMesh {
 };
 
 struct InsertOptions {
-  /// Exactly coplanar neighbours are inserted as one polygon, unless they overlap.
+  /// Exactly coplanar neighbours with one label are inserted as one polygon, unless they overlap.
   bool merge_coplanar = true;
   /// New points are moved to points of few digits of the same segment or plane, where that changes nothing.
   bool snap = true;
   /// Points inside segments and polygons are taken out again where the surface is the same without them.
   bool thin = true;
-  /// Points are put at the nearest doubles in the end, where no tetrahedron is inverted by that.
+  /// Points are put at the nearest doubles in the end, or up to 512 units in the last place away, where no
+  /// tetrahedron is inverted by that.
   bool round = true;
   /// More new points than this are refused; 0: 50 per triangle, and 200,000.
   std::size_t most_points = 0;

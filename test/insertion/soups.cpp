@@ -125,4 +125,10 @@ const std::vector<SoupKind>& soup_kinds() {
   return kinds;
 }
 
+TriangleSoup cube(const Vec3& low, double edge) {
+  Maker m(1);
+  m.add_box(low, low + Vec3(edge, edge, edge));
+  return m.done();
+}
+
 }  // namespace multimesh::test

@@ -20,4 +20,7 @@ struct SoupKind {
 /// area; sharing vertices; T-junctions; boxes that touch and nest; overlapping in one plane.
 const std::vector<SoupKind>& soup_kinds();
 
+/// With its low corner there, facing outwards.
+TriangleSoup cube(const Vec3& low, double edge);
+
 }  // namespace multimesh::test

@@ -48,6 +48,9 @@ std::vector<Case> cases() {
 #ifdef MULTIMESH_WITH_TETGEN
   list.push_back({"tetrahedralize", {"tetrahedralize", "s.obj", "-o", "o.mesh"}, {"s.obj"}, {"o.mesh"}});
 #endif
+#if defined(MULTIMESH_WITH_TETGEN) && defined(MULTIMESH_WITH_EXACT)
+  list.push_back({"insert", {"insert", "s.obj", "-o", "o.mesh"}, {"s.obj"}, {"o.mesh"}});
+#endif
   return list;
 }
 

@@ -2,6 +2,8 @@
 #include "multimesh/algorithms/insertion/cells.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace multimesh::insertion {
@@ -138,23 +140,64 @@ bool Cells::may_move(Index v, const exact::Point& to) const {
   });
 }
 
-std::size_t Cells::round() {
-  std::vector<Index> left, again;
+namespace {
+
+/// The doubles around p, `steps` units in the last place of its largest coordinate away; p first.
+std::vector<Vec3> doubles_near(const Vec3& p, double steps) {
+  if (steps == 0) return {p};
+  double largest = 0;
+  for (const double x : p) largest = std::max(largest, std::abs(x));
+  const double unit = steps * largest * std::numeric_limits<double>::epsilon();
+  std::vector<Vec3> near;
+  for (const double x : {0.0, -unit, unit})
+    for (const double y : {0.0, -unit, unit})
+      for (const double z : {0.0, -unit, unit}) near.push_back(p + Vec3(x, y, z));
+  return near;
+}
+
+}  // namespace
+
+bool Cells::round(Index v, double steps) {
+  for (const Vec3& p : doubles_near(points_[v].nearest(), steps))
+    if (const exact::Point to(p); may_move(v, to)) {
+      points_[v] = to;
+      return true;
+    }
+  return false;
+}
+
+// Between tetrahedra that are thinner than the distance of doubles there may be no room.
+bool Cells::round_with_a_neighbour(Index v, Index first) {
+  std::vector<Index> neighbours;
+  mesh_.star(mesh_.dart_of(0, v), 0, star_);
+  for (const Dart d : star_)
+    for (const Index n : corners(d))
+      if (n != v && n >= first) neighbours.push_back(n);
+  std::ranges::sort(neighbours);
+  const auto repeated = std::ranges::unique(neighbours);
+  neighbours.erase(repeated.begin(), repeated.end());
+  for (const Index n : neighbours) {
+    const exact::Point before = points_[n];
+    for (const double steps : {8, 512})
+      for (const Vec3& p : doubles_near(before.nearest(), steps)) {
+        if (!may_move(n, p)) continue;
+        points_[n] = exact::Point(p);
+        if (round(v, 0) || round(v, 8) || round(v, 64)) return true;
+        points_[n] = before;
+      }
+  }
+  return false;
+}
+
+// One that is rounded makes room for its neighbours.
+std::size_t Cells::round(Index first) {
+  std::vector<Index> left;
   for (Index v = 0; v < points_.size(); ++v)
     if (mesh_.is_live(0, v) && !points_[v].is_double()) left.push_back(v);
-  for (bool changed = true; changed;) {
-    again.clear();
-    for (const Index v : left) {
-      const exact::Point to(points_[v].nearest());
-      if (may_move(v, to)) {
-        points_[v] = to;
-      } else {
-        again.push_back(v);
-      }
-    }
-    changed = again.size() < left.size();
-    std::swap(left, again);
-  }
+  for (const double steps : {0, 1, 8, 64, 512})
+    for (std::size_t gone = 1; gone > 0 && !left.empty();)
+      gone = std::erase_if(left, [&](Index v) { return round(v, steps); });
+  std::erase_if(left, [&](Index v) { return round_with_a_neighbour(v, first); });
   return left.size();
 }
 

@@ -58,12 +58,16 @@ class Cells {
   /// Common planes of vertices.
   std::vector<Index> common_planes(std::span<const Index> vertices) const;
 
-  /// Puts exact points at their nearest doubles where all tetrahedra stay positive. \return how many remain
-  std::size_t round();
+  /// Puts exact points at their nearest doubles, or at others up to 512 units in the last place away, where
+  /// all tetrahedra stay positive. Vertices from `first` on may be moved as far to make room.
+  /// \return how many remain
+  std::size_t round(Index first);
   std::size_t exact_points() const;
 
  private:
   Index add_vertex(Index v, exact::Point at, std::vector<Index> planes);
+  bool round(Index v, double steps);
+  bool round_with_a_neighbour(Index v, Index first);
   bool may_move(Index v, const exact::Point& to) const;
 
   tet::TetMesh mesh_;

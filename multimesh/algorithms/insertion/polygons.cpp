@@ -20,8 +20,8 @@ using Corners = std::array<Index, 3>;
 
 class Grouping {
  public:
-  Grouping(std::span<const Vec3> points, const FacetList& triangles)
-      : points_(points), triangles_(triangles), groups_(triangles.size()) {
+  Grouping(std::span<const Vec3> points, const FacetList& triangles, std::span<const std::int32_t> labels)
+      : points_(points), triangles_(triangles), labels_(labels), groups_(triangles.size()) {
     for (Index t = 0; t < triangles.size(); ++t) {
       const Corners v = corners(t);
       flat_.push_back(collinear(at(v[0]), at(v[1]), at(v[2])));
@@ -92,7 +92,7 @@ class Grouping {
 
   /// Whether they lie in one plane, run through their edge in opposite directions, and are not folded.
   bool continue_each_other(Index s, Index t) const {
-    if (flat_[s] || flat_[t]) return false;
+    if (flat_[s] || flat_[t] || (!labels_.empty() && labels_[s] != labels_[t])) return false;
     const Corners v = corners(s), w = corners(t);
     for (const Index x : w)
       if (orient3d(at(v[0]), at(v[1]), at(v[2]), at(x)) != 0) return false;
@@ -154,6 +154,7 @@ class Grouping {
 
   std::span<const Vec3> points_;
   const FacetList& triangles_;
+  std::span<const std::int32_t> labels_;
   UnionFind groups_;
   std::vector<bool> flat_;
   std::map<Index, bool> overlapping_;
@@ -189,8 +190,9 @@ std::array<Index, 3> plane_of(const std::vector<Index>& group, const Grouping& g
 
 }  // namespace
 
-Polygons make_polygons(std::span<const Vec3> points, const FacetList& triangles, bool merge) {
-  Grouping grouping(points, triangles);
+Polygons make_polygons(std::span<const Vec3> points, const FacetList& triangles,
+                       std::span<const std::int32_t> labels, bool merge) {
+  Grouping grouping(points, triangles, labels);
   if (merge) grouping.join();
   Polygons out;
   std::map<Edge, std::vector<Index>> segments;

@@ -29,8 +29,10 @@ struct Polygons {
   std::size_t degenerate = 0;              ///< triangles without area
 };
 
-/// \param points finite; equal ones have one index. \param merge whether neighbours are merged.
-/// Cost: sorting; exact tests in the plane between triangles of a group whose boxes overlap
-Polygons make_polygons(std::span<const Vec3> points, const FacetList& triangles, bool merge);
+/// \param points finite; equal ones have one index. \param labels per triangle, or empty. \param merge
+/// whether neighbours of one label are merged. Cost: sorting; exact tests in the plane between triangles of a
+/// group whose boxes overlap
+Polygons make_polygons(std::span<const Vec3> points, const FacetList& triangles,
+                       std::span<const std::int32_t> labels, bool merge);
 
 }  // namespace multimesh::insertion
