@@ -197,7 +197,8 @@ std::size_t Cells::round(Index first) {
   for (const double steps : {0, 1, 8, 64, 512})
     for (std::size_t gone = 1; gone > 0 && !left.empty();)
       gone = std::erase_if(left, [&](Index v) { return round(v, steps); });
-  std::erase_if(left, [&](Index v) { return round_with_a_neighbour(v, first); });
+  constexpr std::size_t few = 32;  // more of them lie together, and have no room
+  if (left.size() <= few) std::erase_if(left, [&](Index v) { return round_with_a_neighbour(v, first); });
   return left.size();
 }
 
