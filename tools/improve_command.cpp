@@ -70,12 +70,10 @@ Json to_json(const ImproveArguments& a, const ImproveResult& r) {
     for (const auto& [reason, n] : c.refused) refused[reason] = n;
     j["operations"][c.name] = {{"tried", c.tried}, {"done", c.done}, {"refused", refused}};
   }
-  if (a.options.edge_length > 0)
-    j["edge_lengths"] = {{"target", a.options.edge_length},
-                         {"shortest", r.lengths.shortest},
-                         {"mean", r.lengths.mean},
-                         {"longest", r.lengths.longest},
-                         {"share_in_range", r.lengths.share_in_range},
+  if (a.options.has_sizes())
+    j["edge_lengths"] = {{"target", a.options.edge_length}, {"max", a.options.max_edge_length},
+                         {"shortest", r.lengths.shortest},  {"mean", r.lengths.mean},
+                         {"longest", r.lengths.longest},    {"share_in_range", r.lengths.share_in_range},
                          {"too_long", r.lengths.too_long}};
   for (const EnvelopeUse& e : r.envelopes)
     j["envelopes"].push_back({{"distance", e.distance}, {"moved", e.moved[0]}, {"moved_from", e.moved[1]}});
@@ -147,6 +145,9 @@ std::vector<std::string> reasons(const ImproveArguments& a, const ImproveResult&
   if (a.options.edge_length > 0)
     if (const std::string missed = length_missed(a.options.edge_length, r.lengths); !missed.empty())
       list.push_back(missed);
+  if (const double most = a.options.max_edge_length; most > 0 && r.lengths.longest > most)
+    list.push_back("the longest edge has a length of " + number(r.lengths.longest) +
+                   ", more than --max-edge-length " + number(most));
   if (const std::string stop = stop_reason(a, r.stop); !stop.empty()) list.push_back(stop);
   for (const EnvelopeUse& e : r.envelopes)
     if (std::max(e.moved[0], e.moved[1]) > e.distance * (1 + 1e-9))
@@ -265,6 +266,11 @@ void add_improve_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--edge-length", a->options.edge_length,
                    "split edges above 4/3 of this, collapse edges below 4/5 of it where the surface allows")
+      ->check(positive_number())
+      ->group("Targets");
+  command
+      ->add_option("--max-edge-length", a->options.max_edge_length,
+                   "split edges longer than this, and make none")
       ->check(positive_number())
       ->group("Targets");
   command

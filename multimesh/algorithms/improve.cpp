@@ -27,6 +27,8 @@ void check_options(const ImproveOptions& o) {
   require(o.edge_length >= 0 && std::isfinite(o.edge_length), "edge_length must be finite and not negative");
   require(o.min_edge_length >= 0 && std::isfinite(o.min_edge_length),
           "min_edge_length must be finite and not negative");
+  require(o.max_edge_length >= 0 && std::isfinite(o.max_edge_length),
+          "max_edge_length must be finite and not negative");
   require(o.time_limit >= 0, "time_limit must not be negative");
   require(o.max_growth >= 1, "max_growth must be at least 1");
   require(o.keep_volume > 0, "keep_volume must be greater than 0");
@@ -96,7 +98,8 @@ class Run {
   Run(Improver& improver, const ImproveOptions& options) : improver_(improver), options_(options) {
     constexpr double least = 500;
     const double size = std::max({least, static_cast<double>(improver.work().count_tets()),
-                                  expected_size(improver.work(), options.edge_length)});
+                                  expected_size(improver.work(), options.edge_length),
+                                  expected_size(improver.work(), options.max_edge_length)});
     improver.set_largest_size(static_cast<std::size_t>(std::min(1e18, options.max_growth * size)));
     if (options.progress) improver.set_tick([this] { tell(); });
   }
@@ -142,7 +145,7 @@ class Run {
   }
 
   bool is_bad_or_missized() {
-    if (options_.edge_length > 0 && may_go_on()) resized_ = improver_.resize(pass_ == 0);
+    if (options_.has_sizes() && may_go_on()) resized_ = improver_.resize(pass_ == 0);
     return improver_.count_bad() > 0 || resized_ > 0;
   }
 
@@ -224,7 +227,7 @@ ImproveResult improve(const Embedding& embedding, NodeId node, const ImproveOpti
   result.least_max_amips = forced.bound();
   result.least_max_amips_at = {forced.place()[0], forced.place()[1], forced.place()[2]};
   Run(improver, options).go(result);
-  if (options.edge_length > 0) result.lengths = improver.measure_lengths();
+  if (options.has_sizes()) result.lengths = improver.measure_lengths();
   result.after = measure(improver.work(), options.target_amips);
   result.target_reached = result.after.above_target == 0;
   result.envelopes = improver.work().measure_envelopes();

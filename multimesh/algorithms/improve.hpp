@@ -63,6 +63,10 @@ struct ImproveOptions {
   double edge_length = 0;
   /// No edge is split that would leave halves shorter than this.
   double min_edge_length = 0;
+  /// Edges longer than this are split, regardless of quality, and no operation but a split leaves one. 0: no
+  /// bound.
+  double max_edge_length = 0;
+  bool has_sizes() const { return edge_length > 0 || max_edge_length > 0; }
 
   // --- what stays as it is, besides the places of surface and curves
   SurfaceSplits surface_splits = SurfaceSplits::rounded;

@@ -156,6 +156,7 @@ TEST(Improve, RefusesBadOptions) {
   EXPECT_THROW(improve(domain, {{.edge_length = -1}, {}}), InputError);
   EXPECT_THROW(improve(domain, {{.edge_length = infinity}, {}}), InputError);
   EXPECT_THROW(improve(domain, {{.min_edge_length = -1}, {}}), InputError);
+  EXPECT_THROW(improve(domain, {{.max_edge_length = -1}, {}}), InputError);
 }
 
 }  // namespace

@@ -42,6 +42,23 @@ TEST(ImproveOptions, RefinesToAnEdgeLength) {
   EXPECT_EQ(kept.fault(domain), "");
 }
 
+TEST(ImproveOptions, NoEdgeIsLongerThanTheMaximum) {
+  for (const double target : {0.0, 0.25}) {
+    TetDomain domain(make_box({.n = 2, .squash = 0.5}).input);
+    const Kept kept(domain);
+    const std::size_t before = edge_lengths(domain).size();
+    ImproveOptions options;
+    options.max_edge_length = 0.28;
+    options.edge_length = target;
+    const ImproveResult r = improve(domain, {options, {}});
+    EXPECT_LE(edge_lengths(domain).back(), 0.28);
+    EXPECT_EQ(r.lengths.longest, edge_lengths(domain).back());
+    EXPECT_GT(edge_lengths(domain).size(), before);
+    EXPECT_TRUE(r.target_reached) << r.after.max_amips;
+    EXPECT_EQ(kept.fault(domain), "");
+  }
+}
+
 TEST(SplitLongEdges, LeavesNoneAboveTheLength) {
   Eigen::Matrix3d oblique;
   oblique << 1, 0.3, -0.2, 0.1, 0.7, 0.4, -0.3, 0.2, 1.3;

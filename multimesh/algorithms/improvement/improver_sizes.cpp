@@ -64,13 +64,17 @@ std::size_t Improver::split_longer(double longest) {
 }
 
 std::size_t Improver::resize(bool first) {
-  const double longest = options_.edge_length * 4 / 3, shortest = options_.edge_length * 4 / 5;
+  const double shortest = options_.edge_length * 4 / 5;
+  double longest = options_.edge_length * 4 / 3;
+  if (const double most = options_.max_edge_length; most > 0)
+    longest = longest > 0 ? std::min(longest, most) : most;
   Demand demand = demand_;
   demand.gain = 1;
   demand.enough = limit_;
   demand.remember = false;
   std::size_t n = first ? split_longer(longest) : split_longer(longest, demand);
   demand.longest = demand_.longest = longest;
+  if (shortest == 0) return n;
   n += sweep_edges([&](double length) { return shortest / length; },
                    [&](Index, Dart e) {
                      Candidate collapse;
