@@ -185,7 +185,7 @@ std::vector<Confinement> in_envelope(PeriodicDomain& domain, double distance) {
   return confined;
 }
 
-void run_on_tile(const ImproveArguments& a, RunReport& report) {
+void run_on_tile(const ImproveArguments& a, RunReport& report, const std::string& note = {}) {
   check_tile_outputs(a.input, a.output, a.format, a.periodic);
   auto [file, domain] = read_periodic(a.input, a.periodic);
   if (domain.tree().mesh(domain.tile()).dimension() != 3)
@@ -208,6 +208,7 @@ void run_on_tile(const ImproveArguments& a, RunReport& report) {
   add(write_tile_outputs(a.output, before, after, domain, file, a.format.options(), sizes, a.periodic),
       file.warnings);
   for (const std::string& reason : reasons(a, r)) file.warnings.push_back(reason);
+  if (!note.empty()) file.warnings.push_back(note);
   report.json() = to_json(a, r);
   if (report.wanted()) tile_after = tools::to_json(domain, after);
   report.json()["periodic"] = {{"sides", name_of(sides)}, {"before", tile_before}, {"after", tile_after}};
@@ -216,13 +217,31 @@ void run_on_tile(const ImproveArguments& a, RunReport& report) {
   report.finish(file.warnings);
 }
 
+/// A file that says itself what is periodic, if nothing is requested that a tile does not have.
+void run_on_declared_tile(ImproveArguments a, RunReport& report, const files::PeriodicMeshError& declared) {
+  if (!a.options.locked_regions.empty() || !a.locked_patches.empty() || a.taken.weld) throw declared;
+  a.periodic.axes = "xyz";
+  try {
+    run_on_tile(a, report,
+                "the file declares the mesh periodic ($Periodic): it was improved as with --periodic xyz; "
+                "--no-periodic takes it as any other mesh");
+  } catch (const InputError& e) {
+    throw InputError(std::string(declared.what()) + ". As a tile: " + e.what());
+  }
+}
+
 void run(ImproveArguments a, RunReport& report) {
   show_progress(a);
   a.set_splits();
   if (a.feature_angle > 0) a.periodic.feature_angle = a.feature_angle;
   if (a.periodic.is_given()) return run_on_tile(a, report);
   check_output_path(a.output, {a.input}, a.format);
-  files::DomainFile file = files::read_domain(a.input, a.taken);
+  files::DomainFile file;
+  try {
+    file = files::read_domain(a.input, a.taken);
+  } catch (const files::PeriodicMeshError& e) {
+    return run_on_declared_tile(a, report, e);
+  }
   a.options.locked_regions = files::tags_of_groups(file, 3, a.options.locked_regions, "--lock-region");
   TetDomainOptions options;
   if (a.feature_angle > 0) options.feature_angle = a.feature_angle * std::numbers::pi / 180;

@@ -46,10 +46,11 @@ void weld_or_tell(DomainFile& file, const DomainReadOptions& options) {
 void check_periodic(DomainFile& file, const DomainReadOptions& options) {
   const std::size_t pairs = count_periodic_pairs(file.soup);
   if (pairs > 0 && !options.no_periodic)
-    throw InputError(file.path.string() + ": the mesh is periodic ($Periodic, " + std::to_string(pairs) +
-                     " pairs of points), and its sides would not be kept equal; improve and remesh keep them "
-                     "with --periodic, --no-periodic takes it as "
-                     "any other mesh");
+    throw PeriodicMeshError(
+        file.path.string() + ": the mesh is periodic ($Periodic, " + std::to_string(pairs) +
+        " pairs of points), and its sides would not be kept equal; improve and remesh keep them "
+        "with --periodic, --no-periodic takes it as "
+        "any other mesh");
   if (pairs > 0)
     file.warnings.push_back("the periodic links are dropped, " + std::to_string(pairs) + " pairs of points");
   if (pairs > 0 || options.no_periodic || options.sides_stay) return;

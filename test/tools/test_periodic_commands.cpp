@@ -269,9 +269,15 @@ TEST_F(PeriodicCommands, SecondOrderIsRefusedBeforeTheWorkForFormatsWithoutIt) {
 TEST_F(PeriodicCommands, WithoutPeriodicDeclaredSidesAreNotLostSilently) {
   write_cube("in.msh", 4);
   ASSERT_EQ(run({"improve", "in.msh", "-o", "tile.msh", "--periodic", "xyz"}).status, 0);
-  const Ended refused = run({"improve", "tile.msh", "-o", "x.msh"});
+  const Ended as_tile = run({"improve", "tile.msh", "-o", "kept.msh"});
+  EXPECT_EQ(as_tile.status, 0) << as_tile.err;
+  EXPECT_TRUE(contains(as_tile.err, "as with --periodic xyz")) << as_tile.err;
+  EXPECT_TRUE(contains(content("kept.msh"), "$Periodic"));
+  EXPECT_EQ(run({"info", "kept.msh", "--periodic", "xyz"}).status, 0);
+  const Ended refused = run({"improve", "tile.msh", "-o", "x.msh", "--lock-region", "1"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_TRUE(contains(refused.err, "--periodic")) << refused.err;
+  EXPECT_FALSE(exists("x.msh"));
   EXPECT_TRUE(
       contains(run({"improve", "tile.msh", "-o", "x.msh", "--no-periodic"}).err, "links are dropped"));
 }

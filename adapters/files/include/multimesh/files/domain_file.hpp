@@ -9,6 +9,7 @@
 
 #include "multimesh/domains/tet_domain.hpp"
 #include "multimesh/domains/textured_triangles.hpp"
+#include "multimesh/error.hpp"
 #include "multimesh/io/simplex_soup.hpp"
 #include "multimesh/io/simplex_writer.hpp"
 
@@ -38,12 +39,19 @@ struct DomainReadOptions {
   bool sides_stay = false;          ///< points and triangles of the sides will not change: no warning
 };
 
+/// The file declares its mesh periodic, and the reader would lose that.
+class PeriodicMeshError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Reads what the file lists. Points that no simplex names are left out, with a warning. \throw InputError
 /// as io::read_simplices, and for coordinates too large or small to compute with
 DomainFile read_simplices(const std::filesystem::path& path);
 
 /// Welds points if requested. Warns of points at one place, and of sides that look periodic.
-/// \throw InputError for periodic links, which would be lost, without no_periodic; or if nothing is left
+/// \throw PeriodicMeshError for periodic links, which would be lost, without no_periodic; InputError if
+/// nothing is left
 void prepare(DomainFile& file, const DomainReadOptions& options);
 
 /// read_simplices(), then prepare().
