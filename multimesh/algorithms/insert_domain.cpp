@@ -5,6 +5,7 @@
 #include <map>
 
 #include "multimesh/geometry/orient3d.hpp"
+#include "multimesh/tet_sides.hpp"
 #include "multimesh/union_find.hpp"
 
 namespace multimesh {
@@ -12,27 +13,6 @@ namespace multimesh {
 namespace {
 
 using Tag = TaggedTetrahedra::Tag;
-
-struct Side {
-  std::array<Index, 3> face;
-  Index tet;
-};
-
-/// The faces of all tetrahedra, corners and faces ascending.
-std::vector<Side> sides_of(const FacetList& tets) {
-  std::vector<Side> sides;
-  sides.reserve(4 * tets.size());
-  for (Index t = 0; t < tets.size(); ++t) {
-    const auto v = tets.facet(t);
-    for (std::size_t i = 0; i < 4; ++i) {
-      Side s{{v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]}, t};
-      std::ranges::sort(s.face);
-      sides.push_back(s);
-    }
-  }
-  std::ranges::sort(sides, {}, &Side::face);
-  return sides;
-}
 
 std::vector<std::array<Index, 3>> sorted_faces(const FacetList& faces) {
   std::vector<std::array<Index, 3>> keys;
@@ -47,17 +27,19 @@ std::vector<std::array<Index, 3>> sorted_faces(const FacetList& faces) {
 
 /// Tetrahedra that are joined by faces that are not in the soup. That at the border of the box is region 1.
 Tag number_regions(const Arrangement& a, std::vector<Tag>& regions) {
-  const std::vector<Side> sides = sides_of(a.tets);
   const auto in_soup = sorted_faces(a.faces);
   UnionFind parts(a.tets.size());
   Index outside = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const bool is_inside = i + 1 < sides.size() && sides[i].face == sides[i + 1].face;
-    if (!is_inside) outside = sides[i].tet;
-    if (is_inside && !std::ranges::binary_search(in_soup, sides[i].face))
-      parts.join(sides[i].tet, sides[i + 1].tet);
-    i += is_inside;
-  }
+  const auto vertex_of = [&](Index corner) { return a.tets.corners[corner]; };
+  for_each_face(a.tets, [&](std::span<const Index> sides) {
+    if (sides.size() == 1) {
+      outside = sides[0] / 4;
+      return;
+    }
+    std::array<Index, 3> face = side_corners(sides[0], vertex_of);
+    for (Index& v : face) v = vertex_of(v);
+    if (!std::ranges::binary_search(in_soup, face)) parts.join(sides[0] / 4, sides[1] / 4);
+  });
   std::map<Index, Tag> number{{parts.find(outside), 1}};
   for (Index t = 0; t < a.tets.size(); ++t)
     regions.push_back(number.try_emplace(parts.find(t), static_cast<Tag>(number.size() + 1)).first->second);

@@ -48,7 +48,11 @@ std::array<Index, 4> Cells::corners(Dart d) const {
 
 Dart Cells::find_edge(Index a, Index b) const {
   mesh_.star(mesh_.dart_of(0, a), 0, star_);
-  for (const Dart d : star_) {
+  return find_edge(star_, b);
+}
+
+Dart Cells::find_edge(const DartBuffer& star, Index b) const {
+  for (const Dart d : star) {
     const auto v = corners(d);
     if (v[1] == b) return d;
     if (v[2] == b) return mesh_.reorder(d, permutation(0, 2, 1, 3));

@@ -42,6 +42,8 @@ class Cells {
   std::array<Index, 4> corners(Dart d) const;
   /// A dart (a, b, ..); no_dart if there is no such edge.
   Dart find_edge(Index a, Index b) const;
+  /// The same in the star of a.
+  Dart find_edge(const DartBuffer& star, Index b) const;
 
   // --- operations
   /// Whether all tetrahedra stay positive if the edge, or the face, is split there.

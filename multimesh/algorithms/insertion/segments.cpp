@@ -10,8 +10,8 @@ namespace multimesh::insertion {
 // In the tetrahedron (v,x,y,z) that is entered, b is on the inner side of all three faces at v, or on them.
 SegmentWalk::Way SegmentWalk::find_way(Index v, Index a, Index b) const {
   const tet::TetMesh& mesh = cells_.mesh();
-  if (const Dart direct = cells_.find_edge(v, b); direct != no_dart) return {Meets::vertex, direct};
   mesh.star(mesh.dart_of(0, v), 0, star_);
+  if (const Dart direct = cells_.find_edge(star_, b); direct != no_dart) return {Meets::vertex, direct};
   for (const Dart s : star_) {
     const Dart d = cells_.positive(s);
     const auto [at, x, y, z] = cells_.corners(d);

@@ -51,9 +51,10 @@ Point in_plane(const Point& a, const Point& b, const Point& c, double u, double 
 /// collinear
 std::array<double, 2> position_in_plane(const Point& p, const Point& a, const Point& b, const Point& c);
 
+/// Whether they are the same point; exact.
 bool equal(const Point& p, const Point& q);
 
-/// How often orient3d was decided by what, in this thread: for reports.
+/// How often orient3d was decided by what, in this thread: for measurements.
 struct Decisions {
   std::size_t doubles = 0, nearest = 0, fractions = 0;
 };
